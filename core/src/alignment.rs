@@ -1,0 +1,85 @@
+//! Level and north from a vehicle at rest: two vectors known in both frames.
+//!
+//! At rest the accelerometers feel −g, straight up, and the gyros the Earth's rate, which has no
+//! component to the east. Source: Groves, 2nd ed., §5.6 (levelling and gyrocompassing); the triad of
+//! Black (1964).
+
+use crate::math::real::Scalar;
+use crate::math::vector::Vector;
+use crate::sample::Increment;
+use crate::solution::Euler;
+
+/// Gathers samples at rest.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Alignment<R> {
+    sum: Increment<R>,
+    samples: u32,
+}
+
+/// Why there is no alignment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum AlignmentError {
+    /// No sample was given.
+    Empty,
+    /// Specific force or angular rate vanish, are not finite, or are parallel (as at a pole).
+    Undetermined,
+}
+
+impl core::fmt::Display for AlignmentError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Empty => "there is no sample to align on",
+            Self::Undetermined => {
+                "specific force and angular rate do not determine an attitude: \
+                 one vanishes, or they are parallel"
+            }
+        })
+    }
+}
+
+impl core::error::Error for AlignmentError {}
+
+impl<R: Scalar> Alignment<R> {
+    /// Takes a sample.
+    pub fn add(&mut self, sample: &Increment<R>) {
+        self.sum.angle_b = self.sum.angle_b + sample.angle_b;
+        self.sum.velocity_b = self.sum.velocity_b + sample.velocity_b;
+        self.samples = self.samples.saturating_add(1);
+    }
+
+    /// Mean angular rate (rad/s) and specific force (m/s²) for samples of an interval in seconds.
+    pub fn mean(&self, interval_s: R) -> (Vector<R>, Vector<R>) {
+        let per_second = R::ONE / (interval_s * R::count(self.samples.max(1)));
+        (self.sum.angle_b * per_second, self.sum.velocity_b * per_second)
+    }
+
+    /// The attitude, rad.
+    pub fn attitude(&self) -> Result<Euler<R>, AlignmentError> {
+        if self.samples == 0 {
+            return Err(AlignmentError::Empty);
+        }
+        // ẑⁿ = −fᵇ/|f|,  ŷⁿ = ẑⁿ × ω/|ẑⁿ × ω|,  x̂ⁿ = ŷⁿ × ẑⁿ
+        let down = unit(-self.sum.velocity_b)?;
+        let rate = unit(self.sum.angle_b)?;
+        let east = unit(down.cross(rate))?;
+        let north = east.cross(down);
+        // The rows of C_bⁿ are north, east and down in body axes.
+        let cosine = (down.y * down.y + down.z * down.z).sqrt();
+        Ok(Euler {
+            roll: down.y.atan2(down.z),
+            pitch: (-down.x).atan2(cosine),
+            yaw: east.x.atan2(north.x),
+        })
+    }
+}
+
+fn unit<R: Scalar>(v: Vector<R>) -> Result<Vector<R>, AlignmentError> {
+    let norm = v.norm();
+    if norm > R::of(1e-12) && norm.is_within(R::of(1e12)) {
+        Ok(v * (R::ONE / norm))
+    } else {
+        Err(AlignmentError::Undetermined)
+    }
+}

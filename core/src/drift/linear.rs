@@ -1,0 +1,299 @@
+//! The differential equation of small errors along a motion.
+//!
+//! An [`ErrorState`] compares Earth-fixed vectors, seen along the true north, east and down: position
+//! δr, velocity δv, and ψ, the small rotation from the true to the computed C_bᵉ. So its equation
+//! holds at the poles too. [`MeridianShift`] takes it to the [`Drift`] that is printed, in which each
+//! side has its own north, east and down, and which has the tangent of the latitude in it.
+//! Source: Groves, 2nd ed., §14.2.3 (Earth frame), here resolved along the true north, east and down
+//! with the gradient of normal gravity; Titterton & Weston, 2nd ed., ch. 12.
+
+use super::compare::Drift;
+use crate::earth::{self, ECCENTRICITY_SQUARED, Radii};
+use crate::math::quaternion::Matrix;
+use crate::math::real::Real;
+use crate::math::vector::Vector;
+use crate::sample::Rates;
+use crate::trajectory::Motion;
+use core::ops::{Add, Mul};
+
+/// Differences of Earth-fixed vectors, computed less true, along the true north, east and down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ErrorState<R> {
+    /// δr, m.
+    pub position: Vector<R>,
+    /// δv: of the velocity relative to the Earth, m/s.
+    pub velocity: Vector<R>,
+    /// ψ: C_bᵉ(computed) = (I + [ψ×])C_bᵉ(true), rad.
+    pub attitude: Vector<R>,
+}
+
+/// The equation's coefficients at one instant of a motion.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ErrorDynamics<R> {
+    /// C_bⁿ.
+    body_to_ned: Matrix<R>,
+    /// ω_ibᵇ, rad/s.
+    rate_ib_b: Vector<R>,
+    /// fⁿ, m/s².
+    specific_force: Vector<R>,
+    /// ω_ieⁿ, rad/s.
+    earth_rate: Vector<R>,
+    /// ω_enⁿ, rad/s.
+    transport_rate: Vector<R>,
+    /// Diagonal of ∂gⁿ/∂rⁿ, 1/s².
+    gravity_gradient: Vector<R>,
+    /// ∂g_D/∂r_N, 1/s².
+    gravity_slope: R,
+    /// Whether height and vertical velocity are those of the truth.
+    vertical_held: bool,
+}
+
+impl<R: Real> ErrorDynamics<R> {
+    /// At an instant of a motion, whose sensors should read `rates`.
+    pub fn new(motion: &Motion<R>, rates: &Rates<R>, vertical_held: bool) -> Self {
+        let (s, c) = motion.latitude.value.sin_cos();
+        let (altitude, latitude_rate) = (motion.altitude.value, motion.latitude.first);
+        let longitude_rate = motion.longitude.first;
+        let radii = Radii::at(s, c);
+        let north_radius = radii.meridian + altitude;
+        let body_to_ned = body_to_ned(motion);
+        let gravity = earth::gravity(s, altitude);
+        let (per_latitude, per_height) = gravity_derivatives(s, c, altitude);
+        Self {
+            body_to_ned,
+            rate_ib_b: rates.rate_ib_b,
+            specific_force: body_to_ned * rates.specific_force_b,
+            earth_rate: earth::rotation_ned(s, c),
+            // ω_enⁿ = (λ̇ cosφ, −φ̇, −λ̇ sinφ)
+            transport_rate: Vector::new(longitude_rate * c, -latitude_rate, -(longitude_rate * s)),
+            // Gravity γ(φ, h) turns with the vertical: −γ/(R_M + h), −γ/(R_N + h), −∂γ/∂h
+            gravity_gradient: Vector::new(
+                -(gravity / north_radius),
+                -(gravity / (radii.prime_vertical + altitude)),
+                -per_height,
+            ),
+            gravity_slope: per_latitude / north_radius,
+            vertical_held,
+        }
+    }
+
+    /// F·x: how fast an error changes by itself.
+    #[inline]
+    pub fn growth(&self, x: &ErrorState<R>) -> ErrorState<R> {
+        let mut position = x.position;
+        let mut velocity = x.velocity;
+        if self.vertical_held {
+            // With r_D held, δv_D = (ω_en × δr)_D is what the horizontal errors make of it.
+            position.z = R::ZERO;
+            velocity.z = self.transport_rate.cross(position).z;
+        }
+        let inertial_rate = self.earth_rate + self.transport_rate;
+        // δṙ = δv − ω_en × δr
+        let mut position_rate = velocity - self.transport_rate.cross(position);
+        // δv̇ = ψ × f − (2ω_ie + ω_en) × δv + (∂g/∂r)δr    (Groves 14.48 and 14.49)
+        let mut velocity_rate = x.attitude.cross(self.specific_force)
+            - (self.earth_rate + inertial_rate).cross(velocity)
+            + self.gravity_gradient.zip(position, |a, b| a * b);
+        velocity_rate.z = velocity_rate.z + self.gravity_slope * position.x;
+        // ψ̇ = −(ω_ie + ω_en) × ψ                             (Groves 14.48)
+        let attitude_rate = x.attitude.cross(inertial_rate);
+        if self.vertical_held {
+            position_rate.z = R::ZERO;
+            velocity_rate.z = R::ZERO;
+        }
+        ErrorState { position: position_rate, velocity: velocity_rate, attitude: attitude_rate }
+    }
+
+    /// G·u: what sensors that read too much by `error` add to the growth.
+    #[inline]
+    pub fn drive(&self, error: &Rates<R>) -> ErrorState<R> {
+        // δv̇ = … + C_bⁿ δf,  ψ̇ = … + C_bⁿ δω
+        let mut velocity = self.body_to_ned * error.specific_force_b;
+        if self.vertical_held {
+            velocity.z = R::ZERO;
+        }
+        ErrorState {
+            position: Vector::ZERO,
+            velocity,
+            attitude: self.body_to_ned * error.rate_ib_b,
+        }
+    }
+
+    /// F·G·e − Ġ·e: what drives x − G·e, for sensors whose integrals read too much by e.
+    ///
+    /// x̂ = x − G·e obeys dx̂/dt = F·x̂ + (F·G − Ġ)e where dx/dt = F·x + G·ė.
+    pub fn drive_of_integral(&self, error: &Rates<R>) -> ErrorState<R> {
+        let direct = self.drive(error);
+        // Ċ_bⁿ e = C_bⁿ(ω_ib × e) − (ω_ie + ω_en) × C_bⁿ e
+        let inertial_rate = self.earth_rate + self.transport_rate;
+        let turned = |e: Vector<R>| {
+            self.body_to_ned * self.rate_ib_b.cross(e) - inertial_rate.cross(self.body_to_ned * e)
+        };
+        let mut velocity = turned(error.specific_force_b);
+        if self.vertical_held {
+            velocity.z = R::ZERO;
+        }
+        let turning =
+            ErrorState { position: Vector::ZERO, velocity, attitude: turned(error.rate_ib_b) };
+        self.growth(&direct) + turning * -R::ONE
+    }
+}
+
+/// How the computed north, east and down turn with the computed position, and what that does to
+/// velocity and attitude: δθ = (δλ cosφ, −δφ, −δλ sinφ).
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MeridianShift<R> {
+    /// Of the truth, m/s.
+    velocity_ned: Vector<R>,
+    /// 1/(R_M + h), 1/m.
+    per_north: R,
+    /// 1/(R_N + h), 1/m.
+    per_east: R,
+    /// tanφ/(R_N + h), 1/m; 0 where meridians are not compared.
+    convergence: R,
+    /// −1 beyond the pole, where the printed north points back; else 1.
+    facing: R,
+}
+
+impl<R: Real> MeridianShift<R> {
+    /// At an instant of a motion, for a horizontal error of a size in metres: as in
+    /// [`compare::drift`](super::compare::drift), meridians are not compared where it exceeds a tenth
+    /// of the distance from the Earth's axis.
+    pub fn new(motion: &Motion<R>, horizontal_error: R) -> Self {
+        let (s, c) = motion.latitude.value.sin_cos();
+        let radii = Radii::at(s, c);
+        let east_radius = radii.prime_vertical + motion.altitude.value;
+        let axis_distance = east_radius * c;
+        let limit = R::of(super::compare::POLAR_FRACTION) * axis_distance.abs();
+        let polar = limit.less(horizontal_error);
+        let divisor = R::select(polar, R::ONE, axis_distance);
+        Self {
+            velocity_ned: motion.velocity_ned(),
+            per_north: R::ONE / (radii.meridian + motion.altitude.value),
+            per_east: R::ONE / east_radius,
+            convergence: R::select(polar, R::ZERO, s / divisor),
+            facing: R::select(c.less(R::ZERO), -R::ONE, R::ONE),
+        }
+    }
+
+    /// δθ of a position error.
+    fn shift(&self, position: Vector<R>) -> Vector<R> {
+        Vector::new(
+            position.y * self.per_east,
+            -(position.x * self.per_north),
+            -(position.y * self.convergence),
+        )
+    }
+
+    /// Into, and out of, the axes of the printed position.
+    fn face(&self, x: Vector<R>) -> Vector<R> {
+        Vector::new(x.x * self.facing, x.y * self.facing, x.z)
+    }
+
+    /// The drift that an error shows as.
+    pub fn drift(&self, x: &ErrorState<R>) -> Drift<R> {
+        // C_eⁿ(computed) = (I − [δθ×])C_eⁿ(true):  v_computedⁿ − vⁿ = δv − δθ × v,  φ = ψ − δθ
+        let shift = self.shift(x.position);
+        Drift {
+            position_ned: self.face(x.position),
+            velocity_ned: self.face(x.velocity - shift.cross(self.velocity_ned)),
+            attitude_ned: self.face(x.attitude - shift),
+        }
+    }
+
+    /// The error that shows as a drift.
+    pub fn error(&self, drift: &Drift<R>) -> ErrorState<R> {
+        let position = self.face(drift.position_ned);
+        let shift = self.shift(position);
+        ErrorState {
+            position,
+            velocity: self.face(drift.velocity_ned) + shift.cross(self.velocity_ned),
+            attitude: self.face(drift.attitude_ned) + shift,
+        }
+    }
+}
+
+/// C_bⁿ = (Rx(γ)·Ry(θ)·Rz(ψ))ᵀ.
+fn body_to_ned<R: Real>(motion: &Motion<R>) -> Matrix<R> {
+    let (sr, cr) = motion.roll.value.sin_cos();
+    let (sp, cp) = motion.pitch.value.sin_cos();
+    let (sy, cy) = motion.yaw.value.sin_cos();
+    Matrix {
+        rows: [
+            Vector::new(cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
+            Vector::new(sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
+            Vector::new(-sp, cp * sr, cp * cr),
+        ],
+    }
+}
+
+/// ∂γ/∂φ in m/s² per rad and ∂γ/∂h in 1/s² of normal gravity, exactly.
+fn gravity_derivatives<R: Real>(sine: R, cosine: R, altitude: R) -> (R, R) {
+    use earth::{
+        CENTRIFUGAL_RATIO, EQUATORIAL_GRAVITY, FLATTENING, SEMI_MAJOR_AXIS as A, SOMIGLIANA,
+    };
+    // γ = γ_e·S·H,  S = (1 + k sin²φ)/W,  H = 1 − (2/a)(1 + f + m − 2f sin²φ)h + 3h²/a²
+    let s2 = sine * sine;
+    let w2 = R::ONE - R::of(ECCENTRICITY_SQUARED) * s2;
+    let w = w2.sqrt();
+    let numerator = R::ONE + R::of(SOMIGLIANA) * s2;
+    let surface = R::of(EQUATORIAL_GRAVITY) * numerator / w;
+    let factor = R::ONE + earth::height_factor(s2, altitude);
+    // dS/d sin²φ = (k + ½e²(1 + k sin²φ)/W²)/W,  ∂H/∂sin²φ = 4fh/a
+    let surface_slope = R::of(EQUATORIAL_GRAVITY)
+        * (R::of(SOMIGLIANA) + R::of(0.5 * ECCENTRICITY_SQUARED) * numerator / w2)
+        / w;
+    let factor_slope = R::of(4.0 * FLATTENING / A) * altitude;
+    let per_latitude = (surface_slope * factor + surface * factor_slope) * R::TWO * sine * cosine;
+    // ∂H/∂h = −(2/a)(1 + f + m − 2f sin²φ) + 6h/a²
+    let per_height = surface
+        * (R::of(-2.0 / A * (1.0 + FLATTENING + CENTRIFUGAL_RATIO))
+            + R::of(4.0 * FLATTENING / A) * s2
+            + R::of(6.0 / (A * A)) * altitude);
+    (per_latitude, per_height)
+}
+
+impl<R: Real> ErrorState<R> {
+    /// Position, velocity, attitude; north, east, down of each.
+    pub fn into_array(self) -> [R; 9] {
+        let (Vector { x: a, y: b, z: c }, v, p) = (self.position, self.velocity, self.attitude);
+        [a, b, c, v.x, v.y, v.z, p.x, p.y, p.z]
+    }
+}
+
+impl<R> From<[R; 9]> for ErrorState<R> {
+    fn from([a, b, c, d, e, f, g, h, i]: [R; 9]) -> Self {
+        Self {
+            position: Vector { x: a, y: b, z: c },
+            velocity: Vector { x: d, y: e, z: f },
+            attitude: Vector { x: g, y: h, z: i },
+        }
+    }
+}
+
+impl<R: Real> Add for ErrorState<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        Self {
+            position: self.position + b.position,
+            velocity: self.velocity + b.velocity,
+            attitude: self.attitude + b.attitude,
+        }
+    }
+}
+
+impl<R: Real> Mul<R> for ErrorState<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, k: R) -> Self {
+        Self {
+            position: self.position * k,
+            velocity: self.velocity * k,
+            attitude: self.attitude * k,
+        }
+    }
+}

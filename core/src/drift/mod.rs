@@ -1,0 +1,10 @@
+//! How far a solution lies from the truth, and how small errors grow.
+//!
+//! | file | what |
+//! |---|---|
+//! | `compare` | a solution less the truth, in metres, m/s and rad |
+//! | `linear` | the differential equation of small errors along a motion |
+
+pub mod compare;
+pub mod linear;
+pub mod offset;

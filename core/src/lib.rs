@@ -1,0 +1,18 @@
+#![no_std]
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+//! Strapdown inertial navigation.
+
+pub mod alignment;
+pub mod digest;
+pub mod drift;
+pub mod earth;
+pub mod imu;
+pub mod math;
+pub mod noise;
+pub mod record;
+pub mod sample;
+pub mod sensor;
+pub mod solution;
+pub mod strapdown;
+pub mod trajectory;

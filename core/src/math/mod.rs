@@ -1,0 +1,7 @@
+//! Ground floor: the scalar seam, vectors, quaternions and sums with a carried remainder.
+
+pub mod compensated;
+pub mod quaternion;
+pub mod real;
+pub mod twin;
+pub mod vector;

@@ -1,0 +1,230 @@
+//! `Real`: the one seam between the algorithms and a floating-point type.
+//!
+//! Everything above is written once, for `f32`, `f64`, a pack of independent runs or a test scalar.
+//! Nothing above branches on a value: comparisons give a mask, and `select` chooses lane by lane.
+//! This file is the only one that calls a transcendental function (libm's, so that the bits do not
+//! depend on the platform). IEEE 754 fixes the bits of + − × ÷ √ everywhere.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+#[cfg(feature = "std")]
+extern crate std;
+
+/// What can be added and multiplied: enough for vectors and quaternions.
+pub trait Number:
+    Copy + Default + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
+}
+
+impl<T> Number for T where
+    T: Copy + Default + Neg<Output = T> + Add<Output = T> + Sub<Output = T> + Mul<Output = T>
+{
+}
+
+/// A real scalar: one number, or a pack of numbers that independent runs share an instruction for.
+pub trait Real: Number + Div<Output = Self> + 'static {
+    /// The result of a comparison: `bool`, or one per lane.
+    type Mask: Copy;
+
+    /// 0.
+    const ZERO: Self;
+    /// 1.
+    const ONE: Self;
+    /// 2.
+    const TWO: Self;
+    /// ½.
+    const HALF: Self;
+    /// 1/n at index n, so that no loop converts or divides at run time; entry 0 is 0.
+    const INVERSE: [Self; 24];
+
+    /// A literal of the source text, rounded to this type; the compiler folds it.
+    fn of(literal: f64) -> Self;
+    /// What [`Real::of`] rounds away of `literal`, itself rounded: 0 in double precision.
+    fn residual(literal: f64) -> Self;
+    /// One of two roundings of a table's entry.
+    fn entry(single: f32, double: f64) -> Self;
+    /// A small count, exactly.
+    fn count(n: u32) -> Self;
+    /// A ratio of two integers.
+    fn ratio(numerator: i128, denominator: i128) -> Self;
+
+    /// √x, correctly rounded.
+    fn sqrt(self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// The angle of the point (x, self), in (−π, π].
+    fn atan2(self, x: Self) -> Self;
+    /// e^x − 1.
+    fn exp_m1(self) -> Self;
+    /// The natural logarithm.
+    fn ln(self) -> Self;
+    /// The nearest integer, halves to even.
+    fn round(self) -> Self;
+    /// |x|.
+    fn abs(self) -> Self;
+    /// The upper half of the significand: products of two such halves are exact.
+    fn upper_half(self) -> Self;
+
+    /// self < other.
+    fn less(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask holds, else `no`.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Whether the mask holds anywhere.
+    fn any(mask: Self::Mask) -> bool;
+    /// Finite and |x| ≤ bound, in every lane.
+    fn is_within(self, bound: Self) -> bool;
+}
+
+/// A `Real` that is a single number, with a bit pattern.
+pub trait Scalar: Real + PartialOrd {
+    /// The bits, in the low end of a word.
+    fn to_bits(self) -> u64;
+    /// Back from [`Scalar::to_bits`].
+    fn from_bits(bits: u64) -> Self;
+    /// The same number in double precision: exact.
+    fn widen(self) -> f64;
+    /// The nearest number of this type.
+    fn narrow(x: f64) -> Self;
+}
+
+macro_rules! inverse {
+    ($t:ty) => {{
+        let mut table = [0.0 as $t; 24];
+        let mut n = 1;
+        while n < 24 {
+            table[n] = 1.0 / n as $t;
+            n += 1;
+        }
+        table
+    }};
+}
+
+macro_rules! scalar {
+    ($t:ident, $mask:expr, $sin_cos:path, $atan2:path, $expm1:path, $ln:path, $rint:path, $sqrt:path,
+     $residual:expr, $entry:expr) => {
+        impl Real for $t {
+            type Mask = bool;
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const TWO: Self = 2.0;
+            const HALF: Self = 0.5;
+            const INVERSE: [Self; 24] = inverse!($t);
+
+            #[inline(always)]
+            fn of(literal: f64) -> Self {
+                literal as $t
+            }
+            #[inline(always)]
+            fn residual(literal: f64) -> Self {
+                $residual(literal)
+            }
+            #[inline(always)]
+            fn entry(single: f32, double: f64) -> Self {
+                $entry(single, double)
+            }
+            #[inline(always)]
+            fn count(n: u32) -> Self {
+                n as $t
+            }
+            fn ratio(numerator: i128, denominator: i128) -> Self {
+                numerator as $t / denominator as $t
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                // Both are correctly rounded; the standard library's is one instruction.
+                #[cfg(feature = "std")]
+                return $t::sqrt(self);
+                #[cfg(not(feature = "std"))]
+                return $sqrt(self);
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                $sin_cos(self)
+            }
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                $atan2(self, x)
+            }
+            #[inline]
+            fn exp_m1(self) -> Self {
+                $expm1(self)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                $ln(self)
+            }
+            #[inline]
+            fn round(self) -> Self {
+                $rint(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $t::abs(self)
+            }
+            #[inline(always)]
+            fn upper_half(self) -> Self {
+                $t::from_bits($t::to_bits(self) & $mask)
+            }
+            #[inline(always)]
+            fn less(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+            #[inline(always)]
+            fn any(mask: bool) -> bool {
+                mask
+            }
+            #[inline(always)]
+            fn is_within(self, bound: Self) -> bool {
+                self.abs() <= bound
+            }
+        }
+
+        impl Scalar for $t {
+            #[inline(always)]
+            fn to_bits(self) -> u64 {
+                $t::to_bits(self).into()
+            }
+            #[inline(always)]
+            fn from_bits(bits: u64) -> Self {
+                $t::from_bits(bits as _)
+            }
+            #[inline(always)]
+            fn widen(self) -> f64 {
+                self.into()
+            }
+            #[inline(always)]
+            fn narrow(x: f64) -> Self {
+                x as $t
+            }
+        }
+    };
+}
+
+scalar!(
+    f64,
+    0xffff_ffff_f800_0000,
+    libm::sincos,
+    libm::atan2,
+    libm::expm1,
+    libm::log,
+    libm::rint,
+    libm::sqrt,
+    |_: f64| 0.0,
+    |_: f32, double: f64| double
+);
+scalar!(
+    f32,
+    0xffff_f000,
+    libm::sincosf,
+    libm::atan2f,
+    libm::expm1f,
+    libm::logf,
+    libm::rintf,
+    libm::sqrtf,
+    |literal: f64| (literal - literal as f32 as f64) as f32,
+    |single: f32, _: f64| single
+);

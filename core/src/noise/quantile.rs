@@ -1,0 +1,148 @@
+//! The inverse of the normal distribution: Wichura's algorithm AS 241 (Applied Statistics 37, 1988,
+//! 477), PPND16 in double and PPND7 in single precision.
+//!
+//! Rational functions of the probability's distance from ½ in the centre, and of √(−ln p) in the
+//! tails.
+
+use crate::math::real::Real;
+
+/// Numerator and denominator, by falling powers.
+type Rational<R, const N: usize, const D: usize> = ([R; N], [R; D]);
+
+/// P(r)/Q(r), by Horner's rule.
+#[inline(always)]
+pub(super) fn ratio<R: Real, const N: usize, const D: usize>(table: &Rational<R, N, D>, r: R) -> R {
+    let horner = |coefficients: &[R]| {
+        let mut powers = coefficients.iter();
+        let first = powers.next().copied().unwrap_or(R::ZERO);
+        powers.fold(first, |sum, &c| sum * r + c)
+    };
+    horner(&table.0) / horner(&table.1)
+}
+
+/// PPND16: relative error about 1e-16.
+#[allow(clippy::excessive_precision, reason = "the coefficients as published")]
+pub(super) mod double {
+    use super::{Rational, Real, ratio};
+
+    /// Up to this distance of the probability from ½ the central approximation holds.
+    pub const CENTRE: f64 = 0.425;
+
+    /// The deviate at the distance q ≤ CENTRE of the probability from ½.
+    #[inline(always)]
+    pub fn centre(q: f64) -> f64 {
+        // z = q P(r)/Q(r),  r = 0.425² − q²
+        q * ratio(&CENTRAL, 0.180625 - q * q)
+    }
+
+    const CENTRAL: Rational<f64, 8, 8> = (
+        [
+            2.5090809287301226727e3,
+            3.3430575583588128105e4,
+            6.7265770927008700853e4,
+            4.5921953931549871457e4,
+            1.3731693765509461125e4,
+            1.9715909503065514427e3,
+            1.3314166789178437745e2,
+            3.3871328727963666080,
+        ],
+        [
+            5.2264952788528545610e3,
+            2.8729085735721942674e4,
+            3.9307895800092710610e4,
+            2.1213794301586595867e4,
+            5.3941960214247511077e3,
+            6.8718700749205790830e2,
+            4.2313330701600911252e1,
+            1.0,
+        ],
+    );
+
+    const TAIL: Rational<f64, 8, 8> = (
+        [
+            7.74545014278341407640e-4,
+            2.27238449892691845833e-2,
+            2.41780725177450611770e-1,
+            1.27045825245236838258,
+            3.64784832476320460504,
+            5.76949722146069140550,
+            4.63033784615654529590,
+            1.42343711074968357734,
+        ],
+        [
+            1.05075007164441684324e-9,
+            5.47593808499534494600e-4,
+            1.51986665636164571966e-2,
+            1.48103976427480074590e-1,
+            6.89767334985100004550e-1,
+            1.67638483018380384940,
+            2.05319162663775882187,
+            1.0,
+        ],
+    );
+
+    const FAR_TAIL: Rational<f64, 8, 8> = (
+        [
+            2.01033439929228813265e-7,
+            2.71155556874348757815e-5,
+            1.24266094738807843860e-3,
+            2.65321895265761230930e-2,
+            2.96560571828504891230e-1,
+            1.78482653991729133580,
+            5.46378491116411436990,
+            6.65790464350110377720,
+        ],
+        [
+            2.04426310338993978564e-15,
+            1.42151175831644588870e-7,
+            1.84631831751005468180e-5,
+            7.86869131145613259100e-4,
+            1.48753612908506148525e-2,
+            1.36929880922735805310e-1,
+            5.99832206555887937690e-1,
+            1.0,
+        ],
+    );
+
+    /// The deviate that is exceeded with probability p.
+    #[inline(never)]
+    pub fn tail(p: f64) -> f64 {
+        // r = √(−ln p)
+        let r = Real::sqrt(-Real::ln(p));
+        if r <= 5.0 { ratio(&TAIL, r - 1.6) } else { ratio(&FAR_TAIL, r - 5.0) }
+    }
+}
+
+/// PPND7: relative error about 1e-7.
+#[allow(clippy::excessive_precision, reason = "the coefficients as published")]
+pub(super) mod single {
+    use super::{Rational, Real, ratio};
+
+    /// Up to this distance of the probability from ½ the central approximation holds.
+    pub const CENTRE: f32 = 0.425;
+
+    /// The deviate at the distance q ≤ CENTRE of the probability from ½.
+    #[inline(always)]
+    pub fn centre(q: f32) -> f32 {
+        // z = q P(r)/Q(r),  r = 0.425² − q²
+        q * ratio(&CENTRAL, 0.180625 - q * q)
+    }
+
+    const CENTRAL: Rational<f32, 4, 4> = (
+        [5.9109374720e1, 1.5929113202e2, 5.0434271938e1, 3.3871327179],
+        [6.7187563600e1, 7.8757757664e1, 1.7895169469e1, 1.0],
+    );
+
+    const TAIL: Rational<f32, 4, 3> = (
+        [1.7023821103e-1, 1.3067284816, 2.7568153900, 1.4234372777],
+        [1.2021132975e-1, 7.3700164250e-1, 1.0],
+    );
+
+    /// The deviate that is exceeded with probability p ≥ 2⁻³³, where r stays below 5.
+    #[inline(never)]
+    pub fn tail(p: f32) -> f32 {
+        // r = √(−ln p)
+        let r = Real::sqrt(-Real::ln(p));
+        ratio(&TAIL, r - 1.6)
+    }
+}

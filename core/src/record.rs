@@ -1,0 +1,90 @@
+//! One list of a state's fields: digest, storage, link and audit all walk it.
+
+use crate::earth::Geodetic;
+use crate::math::compensated::{Pair, Plain};
+use crate::math::quaternion::Quaternion;
+use crate::math::vector::Vector;
+
+/// A state that can name its fields, to read them or to write them back.
+///
+/// `visit` gets a field's name and its bits in the low end of a word, and returns the bits that the
+/// field shall have: the same to read. The order is fixed; a vector's components share its name.
+pub trait Record {
+    /// Walks the fields; `name` is what the owner calls this one.
+    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64);
+}
+
+macro_rules! record_word {
+    ($($t:ty),+) => {
+        $(impl Record for $t {
+            #[inline(always)]
+            fn record(
+                &mut self,
+                name: &'static str,
+                visit: &mut impl FnMut(&'static str, u64) -> u64,
+            ) {
+                *self = visit(name, *self as u64) as $t;
+            }
+        })+
+    };
+}
+
+macro_rules! record_float {
+    ($($t:ty),+) => {
+        $(impl Record for $t {
+            #[inline(always)]
+            fn record(
+                &mut self,
+                name: &'static str,
+                visit: &mut impl FnMut(&'static str, u64) -> u64,
+            ) {
+                *self = <$t>::from_bits(visit(name, self.to_bits().into()) as _);
+            }
+        })+
+    };
+}
+
+record_word!(u32, u64, usize);
+record_float!(f32, f64);
+
+macro_rules! record_fields {
+    ($t:ident: $($field:ident),+) => {
+        impl<T: Record> Record for $t<T> {
+            #[inline(always)]
+            fn record(
+                &mut self,
+                name: &'static str,
+                visit: &mut impl FnMut(&'static str, u64) -> u64,
+            ) {
+                $(self.$field.record(name, visit);)+
+            }
+        }
+    };
+}
+
+record_fields!(Pair: hi, lo);
+record_fields!(Vector: x, y, z);
+record_fields!(Quaternion: w, v);
+record_fields!(Geodetic: latitude, longitude, altitude);
+
+impl<T: Record> Record for Plain<T> {
+    #[inline(always)]
+    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
+        self.0.record(name, visit);
+    }
+}
+
+/// Lists fields of a struct for [`Record`], each under its own name.
+macro_rules! record {
+    ($($field:ident),+) => {
+        #[inline(always)]
+        fn record(
+            &mut self,
+            _: &'static str,
+            visit: &mut impl FnMut(&'static str, u64) -> u64,
+        ) {
+            $(self.$field.record(stringify!($field), visit);)+
+        }
+    };
+}
+pub(crate) use record;

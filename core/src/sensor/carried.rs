@@ -1,0 +1,43 @@
+//! Hand-over to a narrower type: what rounding drops from a sample is added to the next.
+
+use super::words::Words;
+use crate::math::real::Scalar;
+use crate::math::vector::Vector;
+use crate::sample::Increment;
+
+/// What the increments handed over so far lack of those taken in, for each axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Carried {
+    /// Δθ, rad.
+    pub angle_b: Vector<f64>,
+    /// Δv, m/s.
+    pub velocity_b: Vector<f64>,
+}
+
+impl Carried {
+    /// The next increment in the type `R`.
+    #[inline]
+    pub fn narrow<R: Scalar>(&mut self, increment: &Increment<f64>) -> Increment<R> {
+        Increment {
+            angle_b: narrow(&mut self.angle_b, increment.angle_b),
+            velocity_b: narrow(&mut self.velocity_b, increment.velocity_b),
+        }
+    }
+}
+
+#[inline]
+fn narrow<R: Scalar>(carry: &mut Vector<f64>, increment: Vector<f64>) -> Vector<R> {
+    // y = x + c,  out = round(y),  c ← y − out
+    let exact = increment + *carry;
+    let rounded = exact.map(R::narrow);
+    *carry = exact - rounded.map(Scalar::widen);
+    rounded
+}
+
+impl Words for Carried {
+    fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
+        self.angle_b.words(visit);
+        self.velocity_b.words(visit);
+    }
+}

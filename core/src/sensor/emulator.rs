@@ -1,0 +1,108 @@
+//! The emulator: perfect increments in, the increments of real sensors out.
+
+use super::words::Words;
+use super::{ErrorTerm, Reading, Stimulus, Timing};
+use crate::math::vector::Vector;
+use crate::noise::{Deviate, Streams};
+use crate::sample::{Increment, Rates};
+
+/// A triad of gyros and a triad of accelerometers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Emulator<R, G, A> {
+    gyro: G,
+    accelerometer: A,
+    timing: Timing<R>,
+}
+
+/// What the sensors of one run remember.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EmulatorState<G, A> {
+    /// Of the gyros' terms.
+    pub gyro: G,
+    /// Of the accelerometers' terms.
+    pub accelerometer: A,
+    /// Samples in which some axis was beyond its limit.
+    pub saturated: u64,
+}
+
+/// The state of an emulator made of these terms.
+pub type State<R, G, A> = EmulatorState<<G as ErrorTerm<R>>::State, <A as ErrorTerm<R>>::State>;
+
+impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
+    /// From the errors of the gyros and of the accelerometers, made for the same timing.
+    pub fn new(gyro: G, accelerometer: A, timing: Timing<R>) -> Self {
+        Self { gyro, accelerometer, timing }
+    }
+
+    /// The state before the first sample: a pure function of a seed and the number of a run.
+    pub fn start(&self, seed: u64, run: u64) -> State<R, G, A> {
+        let streams = Streams::new(seed, run);
+        EmulatorState {
+            gyro: self.gyro.start(streams.branch(Streams::GYRO)),
+            accelerometer: self.accelerometer.start(streams.branch(Streams::ACCELEROMETER)),
+            saturated: 0,
+        }
+    }
+
+    /// What the sensors read in the next sample, given the truth.
+    #[inline]
+    pub fn emulate(&self, state: &mut State<R, G, A>, perfect: &Increment<R>) -> Increment<R> {
+        let velocity_b = perfect.velocity_b;
+        let gyro = read(&self.gyro, &mut state.gyro, perfect.angle_b, velocity_b);
+        let accelerometer =
+            read(&self.accelerometer, &mut state.accelerometer, velocity_b, velocity_b);
+        state.saturated += u64::from(gyro.saturated | accelerometer.saturated);
+        Increment { angle_b: gyro.increment, velocity_b: accelerometer.increment }
+    }
+
+    /// The same for sensors that deliver rates: the errors of a sample, averaged over it, on the
+    /// instantaneous rates. So white noise is that of a bandwidth of half the sample rate, a bias is
+    /// the sample's mean, and a quantized output moves in steps of the least significant bit over
+    /// the interval. A component without error passes unchanged.
+    #[inline]
+    pub fn emulate_rates(&self, state: &mut State<R, G, A>, perfect: &Rates<R>) -> Rates<R> {
+        let interval_s = self.timing.interval_s();
+        let increment = Increment {
+            angle_b: perfect.rate_ib_b * interval_s,
+            velocity_b: perfect.specific_force_b * interval_s,
+        };
+        let read = self.emulate(state, &increment);
+        Rates {
+            rate_ib_b: self.rate(perfect.rate_ib_b, increment.angle_b, read.angle_b),
+            specific_force_b: self.rate(
+                perfect.specific_force_b,
+                increment.velocity_b,
+                read.velocity_b,
+            ),
+        }
+    }
+
+    /// The rate that was read, given the perfect rate and the increments before and after.
+    #[inline]
+    fn rate(&self, perfect: Vector<R>, before: Vector<R>, after: Vector<R>) -> Vector<R> {
+        // a·Δt/Δt may differ from a by a unit in the last place.
+        let read = before.zip(after, |b, a| (a != b).then(|| a / self.timing.interval_s()));
+        perfect.zip(read, |rate, read| read.unwrap_or(rate))
+    }
+}
+
+#[inline(always)]
+fn read<R: Deviate, T: ErrorTerm<R>>(
+    term: &T,
+    state: &mut T::State,
+    sensed: Vector<R>,
+    velocity_b: Vector<R>,
+) -> Reading<R> {
+    let mut reading = Reading { increment: sensed, saturated: false };
+    term.apply(state, &Stimulus { sensed, velocity_b }, &mut reading);
+    reading
+}
+
+impl<G: Words, A: Words> Words for EmulatorState<G, A> {
+    fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
+        self.gyro.words(visit);
+        self.accelerometer.words(visit);
+        self.saturated.words(visit);
+    }
+}

@@ -1,0 +1,94 @@
+//! Flicker: bias instability, noise of density 1/f.
+//!
+//! A sum of Gauss-Markov processes, one per decade of correlation time from the sample interval to
+//! the run's length: T_i = 10ⁱ Δt, σ_i² = B² ln(T_{i+1}/T_i)/π.
+
+use super::gauss_markov::Process;
+use super::parameter::{Parameter, ParameterError};
+use super::words::Words;
+use super::{ErrorTerm, Reading, Stimulus, Timing};
+use crate::math::vector::Vector;
+use crate::noise::{Deviate, Stream, Streams};
+
+/// As many decades as a 64-bit count of samples can have.
+const DECADES: usize = 20;
+
+/// σ_i/B = √(ln 10/π).
+const POLE: f64 = 0.856_116_580_191_873;
+
+/// Bias instability. Its Allan variance is (2 ln2/π)B²: the deviation keeps to it within 4 % from ten
+/// samples to a twentieth of the run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Flicker<R> {
+    instability: Vector<R>,
+    poles: [Option<Process<R>>; DECADES],
+}
+
+/// The parts of the bias and what drives them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlickerState<R> {
+    /// Each pole's share of the bias at the end of the last sample, in units of B.
+    parts: [Vector<R>; DECADES],
+    streams: [Stream; 3],
+}
+
+/// The poles of a run: their correlation times, s, rising, and the rms of each over B.
+pub fn poles<R: Deviate>(timing: Timing<R>) -> impl Iterator<Item = (R, R)> {
+    let longest = timing.samples();
+    let mut next = Some((1u64, timing.interval_s()));
+    core::iter::from_fn(move || {
+        let (samples, correlation_s) = next.filter(|&(samples, _)| samples <= longest)?;
+        next = samples.checked_mul(10).map(|n| (n, correlation_s * R::of(10.0)));
+        Some((correlation_s, R::of(POLE)))
+    })
+}
+
+impl<R: Deviate> Flicker<R> {
+    /// From B of each axis, angle/s.
+    pub fn new(instability: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
+        let instability = Parameter::BiasInstability.magnitude(instability)?;
+        let mut table = [None; DECADES];
+        for (entry, (correlation_s, rms)) in table.iter_mut().zip(poles(timing)) {
+            let process = Process::new(rms, correlation_s, timing.interval_s());
+            Parameter::BiasInstability.computed(instability * process.extent())?;
+            *entry = Some(process);
+        }
+        Ok(Self { instability, poles: table })
+    }
+}
+
+impl<R: Deviate> ErrorTerm<R> for Flicker<R> {
+    type State = FlickerState<R>;
+
+    #[inline]
+    fn start(&self, streams: Streams) -> FlickerState<R> {
+        let mut streams = streams.axes();
+        let mut parts = [Vector::ZERO; DECADES];
+        for (part, process) in parts.iter_mut().zip(self.poles.iter().flatten()) {
+            for (value, stream) in part.each_mut().into_iter().zip(&mut streams) {
+                *value = process.start(stream);
+            }
+        }
+        FlickerState { parts, streams }
+    }
+
+    #[inline]
+    fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
+        let mut sum = Vector::ZERO;
+        for (part, process) in state.parts.iter_mut().zip(self.poles.iter().flatten()) {
+            let axes = sum.each_mut().into_iter().zip(part.each_mut());
+            for ((sum, value), stream) in axes.zip(&mut state.streams) {
+                *sum = *sum + process.advance(value, stream);
+            }
+        }
+        reading.increment = reading.increment + self.instability.zip(sum, |b, s: R| b * s);
+    }
+}
+
+impl<R: Deviate> Words for FlickerState<R> {
+    fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
+        self.parts.words(visit);
+        self.streams.words(visit);
+    }
+}

@@ -1,0 +1,36 @@
+//! Misalignment: M·x, the sensor axes being turned a little against the body.
+
+use super::parameter::{Parameter, ParameterError};
+use super::{ErrorTerm, Reading, Stimulus};
+use crate::math::vector::Vector;
+use crate::noise::{Deviate, Streams};
+
+/// A small rotation of the triad, to first order.
+///
+/// m is the rotation vector that turns the body axes into the sensor axes. A vector x of the body
+/// frame has the components (I − [m×])x along the turned axes, so M = −[m×].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Misalignment<R> {
+    rotation: Vector<R>,
+}
+
+impl<R: Deviate> Misalignment<R> {
+    /// From m in body axes, rad.
+    pub fn new(rotation: Vector<R>) -> Result<Self, ParameterError> {
+        Ok(Self { rotation: Parameter::Misalignment.signed(rotation)? })
+    }
+}
+
+impl<R: Deviate> ErrorTerm<R> for Misalignment<R> {
+    type State = ();
+
+    #[inline]
+    fn start(&self, _: Streams) {}
+
+    #[inline]
+    fn apply(&self, _: &mut (), stimulus: &Stimulus<R>, reading: &mut Reading<R>) {
+        // M·x = −m × x = x × m
+        reading.increment = reading.increment + stimulus.sensed.cross(self.rotation);
+    }
+}

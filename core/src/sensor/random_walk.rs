@@ -1,0 +1,69 @@
+//! Random walk of the bias: rate random walk, acceleration random walk.
+//!
+//! The bias' step and the bias' integral over a sample are correlated, and drawn jointly.
+
+use super::parameter::{Parameter, ParameterError};
+use super::words::Words;
+use super::{ErrorTerm, Reading, Stimulus, Timing};
+use crate::math::vector::Vector;
+use crate::noise::{Deviate, Stream, Streams};
+
+/// A bias that starts at zero and integrates white noise. Its Allan variance is K²τ/3.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RandomWalk<R> {
+    interval_s: R,
+    step: Vector<R>,
+    coupled: Vector<R>,
+    independent: Vector<R>,
+}
+
+/// The bias and what drives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RandomWalkState<R> {
+    /// The bias at the end of the last sample, angle/s.
+    pub bias: Vector<R>,
+    streams: [Stream; 3],
+}
+
+impl<R: Deviate> RandomWalk<R> {
+    /// From K of each axis, angle/s/√s.
+    pub fn new(density: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
+        let density = Parameter::RandomWalk.magnitude(density)?;
+        let interval_s = timing.interval_s();
+        let step = Parameter::RandomWalk.computed(density * interval_s.sqrt())?;
+        let coupled = Parameter::RandomWalk.computed(step * (interval_s * R::HALF))?;
+        let independent = step * (interval_s * R::of(0.28867513459481287));
+        Ok(Self { interval_s, step, coupled, independent })
+    }
+}
+
+impl<R: Deviate> ErrorTerm<R> for RandomWalk<R> {
+    type State = RandomWalkState<R>;
+
+    #[inline]
+    fn start(&self, streams: Streams) -> RandomWalkState<R> {
+        RandomWalkState { bias: Vector::ZERO, streams: streams.axes() }
+    }
+
+    #[inline]
+    fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
+        let [x, y, z] = &mut state.streams;
+        let first = Vector::new(x.normal(), y.normal(), z.normal());
+        let second = Vector::new(x.normal(), y.normal(), z.normal());
+        let times = |k: Vector<R>, deviates: Vector<R>| k.zip(deviates, |k, z| k * z);
+        // ∫b = b₀Δt + K√Δt·Δt(½z₁ + z₂/√12),  b₁ = b₀ + K√Δt·z₁
+        let integral = state.bias * self.interval_s
+            + times(self.coupled, first)
+            + times(self.independent, second);
+        reading.increment = reading.increment + integral;
+        state.bias = state.bias + times(self.step, first);
+    }
+}
+
+impl<R: Deviate> Words for RandomWalkState<R> {
+    fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
+        self.bias.words(visit);
+        self.streams.words(visit);
+    }
+}

@@ -1,0 +1,95 @@
+//! Every term there is, present or absent at run time: a triad of gyros or of accelerometers.
+
+use super::constant::Constant;
+use super::flicker::Flicker;
+use super::g_sensitivity::GSensitivity;
+use super::gauss_markov::GaussMarkov;
+use super::misalignment::Misalignment;
+use super::quantization::Quantization;
+use super::random_walk::RandomWalk;
+use super::saturation::Saturation;
+use super::scale_factor::ScaleFactor;
+use super::turn_on::TurnOn;
+use super::white::White;
+use super::words::Words;
+use super::{ErrorTerm, Reading, Stimulus};
+use crate::noise::{Deviate, Streams};
+
+macro_rules! triad {
+    ($($(#[$doc:meta])* $name:ident: $term:ident = $branch:literal,)+) => {
+        /// The terms of a triad, in the order in which they act; `None` throughout is a perfect one.
+        ///
+        /// A term's random numbers do not depend on which other terms there are.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub struct Triad<R> {
+            $($(#[$doc])* pub $name: Option<$term<R>>,)+
+        }
+
+        /// What the terms remember.
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct TriadState<R: Deviate> {
+            $($name: <Option<$term<R>> as ErrorTerm<R>>::State,)+
+        }
+
+        impl<R> Triad<R> {
+            /// Sensors without error.
+            pub const PERFECT: Self = Self { $($name: None,)+ };
+        }
+
+        impl<R: Deviate> ErrorTerm<R> for Triad<R> {
+            type State = TriadState<R>;
+
+            fn start(&self, streams: Streams) -> TriadState<R> {
+                TriadState { $($name: self.$name.start(streams.branch($branch)),)+ }
+            }
+
+            #[inline]
+            fn apply(
+                &self,
+                state: &mut TriadState<R>,
+                stimulus: &Stimulus<R>,
+                reading: &mut Reading<R>,
+            ) {
+                $(self.$name.apply(&mut state.$name, stimulus, reading);)+
+            }
+        }
+
+        impl<R: Deviate> Words for TriadState<R> {
+            fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
+                $(self.$name.words(visit);)+
+            }
+        }
+    };
+}
+
+triad! {
+    /// Constant bias.
+    constant: Constant = 0,
+    /// Bias drawn for each run.
+    turn_on: TurnOn = 1,
+    /// First-order Gauss-Markov bias.
+    gauss_markov: GaussMarkov = 2,
+    /// Angle or velocity random walk.
+    white: White = 3,
+    /// Rate or acceleration random walk.
+    random_walk: RandomWalk = 4,
+    /// Bias instability.
+    flicker: Flicker = 5,
+    /// Scale factor error.
+    scale_factor: ScaleFactor = 6,
+    /// Misalignment.
+    misalignment: Misalignment = 7,
+    /// g-sensitivity.
+    g_sensitivity: GSensitivity = 8,
+    /// Limits.
+    saturation: Saturation = 9,
+    /// Steps.
+    quantization: Quantization = 10,
+}
+
+impl<R> Default for Triad<R> {
+    fn default() -> Self {
+        Self::PERFECT
+    }
+}

@@ -1,0 +1,39 @@
+//! Turn-on bias: drawn once for each run.
+
+use super::parameter::{Parameter, ParameterError};
+use super::{ErrorTerm, Reading, Stimulus, Timing};
+use crate::math::vector::Vector;
+use crate::noise::{Deviate, Streams};
+
+/// A bias that is constant during a run and normally distributed over the runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TurnOn<R> {
+    rms_increment: Vector<R>,
+}
+
+impl<R: Deviate> TurnOn<R> {
+    /// From the rms of each axis, angle/s.
+    pub fn new(rms: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
+        let rms = Parameter::TurnOnRms.magnitude(rms)?;
+        let rms_increment = Parameter::TurnOnRms.computed(rms * timing.interval_s())?;
+        Ok(Self { rms_increment })
+    }
+}
+
+impl<R: Deviate> ErrorTerm<R> for TurnOn<R> {
+    /// What this run's bias adds to every sample.
+    type State = Vector<R>;
+
+    #[inline]
+    fn start(&self, streams: Streams) -> Vector<R> {
+        // ∫b dt = σΔt·z
+        let [x, y, z] = streams.axes().map(|mut stream| stream.normal::<R>());
+        self.rms_increment.zip(Vector::new(x, y, z), |rms, deviate| rms * deviate)
+    }
+
+    #[inline]
+    fn apply(&self, bias: &mut Vector<R>, _: &Stimulus<R>, reading: &mut Reading<R>) {
+        reading.increment = reading.increment + *bias;
+    }
+}

@@ -1,0 +1,188 @@
+//! What navigation solves for: position, velocity and attitude.
+//!
+//! Every number is a [`Pair`], so that single precision passes on all the digits that it carries.
+
+use crate::earth::{self, Geodetic};
+use crate::math::compensated::Pair;
+use crate::math::quaternion::Quaternion;
+use crate::math::real::{Number, Real, Scalar};
+use crate::math::vector::Vector;
+
+/// Attitude as three angles: C_nᵇ = Rx(roll)·Ry(pitch)·Rz(yaw), rad.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Euler<R> {
+    /// Roll γ about forward.
+    pub roll: R,
+    /// Pitch θ about right.
+    pub pitch: R,
+    /// Yaw ψ about down, from north.
+    pub yaw: R,
+}
+
+impl<R: Real> Euler<R> {
+    /// The quaternion body → navigation frame.
+    pub fn quaternion(self) -> Quaternion<R> {
+        let half = |angle: R| (angle * R::HALF).sin_cos();
+        about_axes([half(self.yaw), half(self.pitch), half(self.roll)])
+    }
+
+    /// The same to about twice the digits, for a start: rounding it alone would cost nanometres.
+    /// |angle| ≤ 2π.
+    pub fn quaternion_pair(self) -> Quaternion<Pair<R>> {
+        let half = |angle: R| Pair::new(angle * R::HALF).sin_cos();
+        about_axes([half(self.yaw), half(self.pitch), half(self.roll)])
+    }
+
+    /// From the quaternion body → navigation frame.
+    pub fn of_quaternion(q: Quaternion<R>) -> Self {
+        let [first, second, third] = q.matrix(R::ONE).rows;
+        // tanγ = c₃₂/c₃₃, sinθ = −c₃₁, tanψ = c₂₁/c₁₁
+        let cosine = (third.y * third.y + third.z * third.z).sqrt();
+        Self {
+            roll: third.y.atan2(third.z),
+            pitch: (-third.x).atan2(cosine),
+            yaw: second.x.atan2(first.x),
+        }
+    }
+}
+
+/// q_bⁿ = q_z(ψ) ⊗ q_y(θ) ⊗ q_x(γ), from sine and cosine of half of each.
+fn about_axes<T: Number>([(sz, cz), (sy, cy), (sx, cx)]: [(T, T); 3]) -> Quaternion<T> {
+    let zero = T::default();
+    let yaw = Quaternion::new(cz, Vector::new(zero, zero, sz));
+    let pitch = Quaternion::new(cy, Vector::new(zero, sy, zero));
+    let roll = Quaternion::new(cx, Vector::new(sx, zero, zero));
+    yaw * pitch * roll
+}
+
+/// Position, velocity and attitude against the local north, east and down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Solution<R> {
+    /// Latitude and longitude in rad, altitude in m.
+    pub position: Geodetic<Pair<R>>,
+    /// Velocity relative to the Earth, north, east, down, m/s.
+    pub velocity_ned: Vector<Pair<R>>,
+    /// Body → north, east, down.
+    pub attitude: Quaternion<Pair<R>>,
+}
+
+impl<R: Real> Solution<R> {
+    /// From a geodetic position, a velocity and angles of at most 2π; the attitude to about twice the
+    /// digits.
+    pub fn new(position: Geodetic<R>, velocity_ned: Vector<R>, attitude: Euler<R>) -> Self {
+        Self {
+            position: position.map(Pair::new),
+            velocity_ned: velocity_ned.map(Pair::new),
+            attitude: attitude.quaternion_pair(),
+        }
+    }
+
+    /// The attitude as angles.
+    pub fn euler(&self) -> Euler<R> {
+        Euler::of_quaternion(self.attitude.map(|c| c.hi))
+    }
+
+    /// The same state in Earth-fixed axes, to about twice the digits.
+    pub fn to_earth_fixed(&self) -> EarthFixedSolution<R> {
+        let (sl, cl) = self.position.longitude.sin_cos();
+        let (s, c) = self.position.latitude.sin_cos();
+        let literal = Pair::of;
+        // R_N = a/√(1 − e² sin²φ)
+        let e2 = literal(earth::ECCENTRICITY_SQUARED);
+        let w = (Pair::new(R::ONE) - e2 * s * s).sqrt();
+        let n = literal(earth::SEMI_MAJOR_AXIS) * w.reciprocal();
+        let h = self.position.altitude;
+        let axis_distance = (n + h) * c;
+        let polar = (n - n * e2 + h) * s;
+        let north = Vector::new(-(s * cl), -(s * sl), c);
+        let east = Vector::new(-sl, cl, Pair::default());
+        let down = Vector::new(-(c * cl), -(c * sl), -s);
+        let v = self.velocity_ned;
+        let half = Pair::new(R::HALF);
+        let from_south = self.position.latitude + literal(core::f64::consts::FRAC_PI_2);
+        let q_ne = ned_to_earth_fixed(
+            (self.position.longitude * half).sin_cos(),
+            (from_south * half).sin_cos(),
+        );
+        EarthFixedSolution {
+            position_e: Vector::new(axis_distance * cl, axis_distance * sl, polar),
+            velocity_e: north * v.x + east * v.y + down * v.z,
+            attitude: q_ne * self.attitude,
+        }
+    }
+}
+
+/// q_nᵉ = q_z(λ) ⊗ q_y(−φ − 90°), from sine and cosine of ½λ and of ½(φ + 90°).
+fn ned_to_earth_fixed<T: Number>((sl, cl): (T, T), (s, c): (T, T)) -> Quaternion<T> {
+    Quaternion::new(c * cl, Vector::new(s * sl, -(s * cl), c * sl))
+}
+
+/// Position, velocity and attitude in Earth-fixed axes: no singular place.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EarthFixedSolution<R> {
+    /// Position, m.
+    pub position_e: Vector<Pair<R>>,
+    /// Velocity relative to the Earth, m/s.
+    pub velocity_e: Vector<Pair<R>>,
+    /// Body → Earth-fixed axes.
+    pub attitude: Quaternion<Pair<R>>,
+}
+
+impl<R: Real> EarthFixedSolution<R> {
+    /// Against the local north, east and down, to the digits of `R`.
+    pub fn to_local(&self) -> Solution<R> {
+        let position_e = self.position_e.map(|c| c.hi);
+        let position = Geodetic::from_earth_fixed(position_e);
+        let (sl, cl) = position.longitude.sin_cos();
+        let (s, c) = position.latitude.sin_cos();
+        let v = self.velocity_e.map(|c| c.hi);
+        let outward = v.x * cl + v.y * sl;
+        let velocity_ned =
+            Vector::new(c * v.z - s * outward, v.y * cl - v.x * sl, -(c * outward) - s * v.z);
+        let half = |x: R| (x * R::HALF).sin_cos();
+        let q_ne = ned_to_earth_fixed(
+            half(position.longitude),
+            half(position.latitude + R::of(core::f64::consts::FRAC_PI_2)),
+        );
+        let attitude = q_ne.conjugate() * self.attitude.map(|c| c.hi);
+        Solution {
+            position: position.map(Pair::new),
+            velocity_ned: velocity_ned.map(Pair::new),
+            attitude: attitude.map(Pair::new),
+        }
+    }
+}
+
+impl<R: Scalar> Solution<R> {
+    /// In double precision, exactly.
+    pub fn widen(&self) -> Solution<f64> {
+        Solution {
+            position: self.position.map(Pair::widen_pair),
+            velocity_ned: self.velocity_ned.map(Pair::widen_pair),
+            attitude: self.attitude.map(Pair::widen_pair),
+        }
+    }
+
+    /// From double precision, keeping twice the digits of `R`.
+    pub fn narrow(wide: &Solution<f64>) -> Self {
+        Self {
+            position: wide.position.map(Pair::narrow),
+            velocity_ned: wide.velocity_ned.map(Pair::narrow),
+            attitude: wide.attitude.map(Pair::narrow),
+        }
+    }
+}
+
+impl<R: Scalar> EarthFixedSolution<R> {
+    /// In double precision, exactly.
+    pub fn widen(&self) -> EarthFixedSolution<f64> {
+        EarthFixedSolution {
+            position_e: self.position_e.map(Pair::widen_pair),
+            velocity_e: self.velocity_e.map(Pair::widen_pair),
+            attitude: self.attitude.map(Pair::widen_pair),
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! The nav step in Earth-fixed axes: no singular place anywhere.
+//!
+//! Velocity is inertial, resolved in the Earth-fixed axes: within a block the axes stand still, and
+//! at its end position, velocity and gravity turn with the Earth. Gravitation is evaluated once per
+//! block and interpolated backwards (Adams).
+
+use super::block_time::{BlockTime, small_turn};
+use super::body::BodyMotion;
+use super::frame::Frame;
+use super::gravitation::Latitude;
+use crate::earth::ROTATION_RATE;
+use crate::math::compensated::{Accumulate, Pair};
+use crate::math::quaternion::{Matrix, Quaternion};
+use crate::math::real::Real;
+use crate::math::vector::Vector;
+use crate::record::{Record, record};
+use crate::solution::{EarthFixedSolution, Solution};
+
+/// State in Earth-fixed axes; `S` sums it up.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EarthFixed<S: Accumulate> {
+    /// Position, m.
+    position: Vector<S>,
+    /// Velocity against inertial space, m/s.
+    velocity: Vector<S>,
+    /// Body → Earth-fixed.
+    attitude: Quaternion<S>,
+    /// G₀, m/s².
+    gravitation: Vector<S::Real>,
+    /// ∇ = G₀ − G₋₁.
+    difference: Vector<S::Real>,
+    /// ∇² = G₀ − 2G₋₁ + G₋₂.
+    second_difference: Vector<S::Real>,
+    latitude: Latitude<S::Real>,
+}
+
+/// What rows inside a block need: the attitude matrix and gravitation's parabola over the block.
+#[derive(Clone, Copy, Debug)]
+pub struct EarthFixedStep<R> {
+    matrix: Matrix<R>,
+    /// (G₁ − G₋₁)/2.
+    slope: Vector<R>,
+    /// (G₁ − 2G₀ + G₋₁)/2.
+    curvature: Vector<R>,
+}
+
+/// Turns a vector by Rz(−α), given sinα and cosα − 1; what is returned is to be added.
+#[inline(always)]
+fn turn_less_one<R: Real>(v: Vector<R>, sine: R, cosine_less_one: R) -> Vector<R> {
+    Vector::new(v.x * cosine_less_one + v.y * sine, v.y * cosine_less_one - v.x * sine, R::ZERO)
+}
+
+/// q_z(−α) less one, given sin ½α and cos ½α − 1.
+#[inline(always)]
+fn turn_back<R: Real>(half_sine: R, half_cosine_less_one: R) -> Quaternion<R> {
+    Quaternion::new(half_cosine_less_one, Vector::new(R::ZERO, R::ZERO, -half_sine))
+}
+
+impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
+    type Real = R;
+    type Output = EarthFixedSolution<R>;
+    type Step = EarthFixedStep<R>;
+
+    fn start(initial: &Solution<R>) -> Self {
+        let at = initial.to_earth_fixed();
+        // v = v_e + ω × r
+        let omega = Vector::new(Pair::default(), Pair::default(), Pair::of(ROTATION_RATE));
+        let velocity = at.velocity_e + omega.cross(at.position_e);
+        let (sine, cosine) = initial.position.latitude.hi.sin_cos();
+        let mut latitude = Latitude { sine, cosine, change: R::ZERO };
+        let gravitation = latitude.gravitation(at.position_e.map(|c| c.hi));
+        Self {
+            position: at.position_e.map(S::from_pair),
+            velocity: velocity.map(S::from_pair),
+            attitude: at.attitude.map(S::from_pair),
+            gravitation,
+            difference: Vector::ZERO,
+            second_difference: Vector::ZERO,
+            latitude,
+        }
+    }
+
+    #[inline(never)]
+    fn seed(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) {
+        // G₋ₖ = G(r − kTv + ½(kT)²(C u/T + G₀)), k = 1, 2
+        let matrix = self.attitude.value().matrix(R::ONE);
+        let mean_force = (matrix * body.velocity) * (R::ONE / time.time.hi);
+        let acceleration = mean_force + self.gravitation;
+        let back = |t: R| {
+            let position = self.position.value() - self.velocity.value() * t
+                + acceleration * (R::HALF * t * t);
+            let mut latitude = self.latitude;
+            latitude.gravitation(position)
+        };
+        let (g0, g1) = (self.gravitation, back(time.time.hi));
+        let g2 = back(R::TWO * time.time.hi);
+        self.difference = g0 - g1;
+        self.second_difference = (g0 - g1) - (g1 - g2);
+        self.latitude.change = R::ZERO;
+    }
+
+    #[inline(always)]
+    fn step(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) -> EarthFixedStep<R> {
+        let t = time.time.hi;
+        let q = self.attitude.value();
+        let matrix = q.matrix(R::ONE);
+        let v = self.velocity.value();
+        let (g0, nabla, nabla2) = (self.gravitation, self.difference, self.second_difference);
+        // Δr = vT + C s + T²(½G₀ + ⅙∇ + ⅛∇²)
+        let fall = g0 * R::HALF + nabla * R::of(1.0 / 6.0) + nabla2 * R::of(0.125);
+        let offset = matrix * body.position + fall * time.square + v * time.time.lo;
+        self.position.accumulate(v * t + offset);
+        // G₁ = G(r + Δr), δ = G₁ − G₀, δ² = δ − ∇, δ³ = δ² − ∇²
+        let g1 = self.latitude.gravitation(self.position.value());
+        let delta = g1 - g0;
+        let delta2 = delta - nabla;
+        let delta3 = delta2 - nabla2;
+        // Δv = C u + T(G₁ − ½δ − δ²/12 − δ³/24)
+        let mean = g1 - delta * R::HALF - delta2 * R::of(1.0 / 12.0) - delta3 * R::of(1.0 / 24.0);
+        self.velocity.accumulate(matrix * body.velocity + mean * t);
+
+        // All turn with the Earth: Rz(−ωT), as increments.
+        let turn = |x: Vector<R>| turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
+        let dr = turn(self.position.value());
+        self.position.x.add(dr.x);
+        self.position.y.add(dr.y);
+        let dv = turn(self.velocity.value());
+        self.velocity.x.add(dv.x);
+        self.velocity.y.add(dv.y);
+        self.gravitation = g1 + turn(g1);
+        self.difference = delta + turn(delta);
+        self.second_difference = delta2 + turn(delta2);
+        // q ← q_z(−ωT) ⊗ q ⊗ q_bb
+        self.attitude.accumulate(q * body.rotation);
+        let back = turn_back(time.half_turn_sine, time.half_turn_cosine_less_one);
+        let dq = back * self.attitude.value();
+        self.attitude.accumulate(dq);
+        EarthFixedStep { matrix, slope: (delta + nabla) * R::HALF, curvature: delta2 * R::HALF }
+    }
+
+    #[inline]
+    fn within(
+        &self,
+        step: &EarthFixedStep<R>,
+        time: &BlockTime<R>,
+        body: &BodyMotion<R>,
+        fraction: R,
+    ) -> EarthFixedSolution<R> {
+        let t = time.time.hi;
+        let (tau, tau2) = (fraction, fraction * fraction);
+        let (g0, b, c) = (self.gravitation, step.slope, step.curvature);
+        let v0 = self.velocity.value();
+        // r = r₀ + vτT + C s + T²(τ²G₀/2 + τ³b/6 + τ⁴c/12)
+        let fall =
+            (g0 * R::HALF + b * (tau * R::of(1.0 / 6.0)) + c * (tau2 * R::of(1.0 / 12.0))) * tau2;
+        let moved = v0 * (tau * t) + (step.matrix * body.position + fall * time.square);
+        let mut position = self.position;
+        position.accumulate(moved);
+        // v = v₀ + C u + T(τG₀ + τ²b/2 + τ³c/3)
+        let gained = g0 * tau + b * (tau2 * R::HALF) + c * (tau2 * tau * R::of(1.0 / 3.0));
+        let mut velocity = self.velocity;
+        velocity.accumulate(step.matrix * body.velocity + gained * t);
+        // then Rz(−ωτT)
+        let turn = time.turn.hi * tau;
+        let (sine, cosine_less_one) = small_turn(turn);
+        let dr = turn_less_one(position.value(), sine, cosine_less_one);
+        position.accumulate(dr);
+        let dv = turn_less_one(velocity.value(), sine, cosine_less_one);
+        velocity.accumulate(dv);
+        let mut attitude = self.attitude;
+        attitude.accumulate(self.attitude.value() * body.rotation);
+        let (half_sine, half_cosine_less_one) = small_turn(turn * R::HALF);
+        let back = turn_back(half_sine, half_cosine_less_one);
+        let dq = back * attitude.value();
+        attitude.accumulate(dq);
+        print(position, velocity, attitude)
+    }
+
+    fn hold_vertical(&mut self, altitude: R, down: R) {
+        let r = self.position.value();
+        let (up, lift) = self.latitude.vertical(r, altitude);
+        self.position.accumulate(up * lift);
+        // The vertical velocity is the same against the Earth and against inertial space.
+        let climb = up.dot(self.velocity.value()) + down;
+        self.velocity.accumulate(up * -climb);
+    }
+
+    #[inline]
+    fn output(&self) -> EarthFixedSolution<R> {
+        print(self.position, self.velocity, self.attitude)
+    }
+}
+
+/// The velocity against the Earth is v − ω × r.
+#[inline]
+fn print<R: Real, S: Accumulate<Real = R>>(
+    position: Vector<S>,
+    velocity: Vector<S>,
+    attitude: Quaternion<S>,
+) -> EarthFixedSolution<R> {
+    let position_e = position.map(S::pair);
+    let omega: Pair<R> = Pair::of(ROTATION_RATE);
+    let v = velocity.map(S::pair);
+    let velocity_e = Vector::new(v.x + omega * position_e.y, v.y - omega * position_e.x, v.z);
+    EarthFixedSolution { position_e, velocity_e, attitude: attitude.map(S::pair) }
+}
+
+impl<S: Accumulate + Record> Record for EarthFixed<S>
+where
+    S::Real: Record,
+{
+    record!(position, velocity, attitude, gravitation, difference, second_difference,
+        latitude);
+}

@@ -1,0 +1,164 @@
+//! Fit of a window: polynomials through the increments of H + B + A samples.
+//!
+//! σ ∈ [−1, 1] spans the block of B samples; sample j is [aⱼ, bⱼ] = −1 + 2[j − H, j − H + 1]/B.
+//! w(σ) = Σ w_k σᵏ is the angular rate per unit of σ whose integral over every sample is that sample's
+//! increment: w_k = Σⱼ A_kj Δθⱼ, A the inverse of B_jk = (bⱼᵏ⁺¹ − aⱼᵏ⁺¹)/(k + 1); likewise f_k from Δvⱼ.
+//! A is exact: integers from Lagrange's basis over the sample edges, and one division per entry.
+//! For slow motion a straight line by least squares does for a long block: A = (BᵀB)⁻¹Bᵀ.
+
+use crate::math::real::Real;
+use crate::math::vector::Vector;
+use crate::sample::Increment;
+
+/// Most samples that a window may have.
+pub const MOST_SAMPLES: usize = 12;
+
+/// Coefficients of angular rate and specific force over a block, per unit of σ.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit<R, const K: usize> {
+    /// w_k, rad.
+    pub rate: [Vector<R>; K],
+    /// f_k, m/s.
+    pub force: [Vector<R>; K],
+}
+
+impl<R: Real, const K: usize> Fit<R, K> {
+    /// Of `P` samples, by a table in either precision.
+    #[inline(always)]
+    pub fn of<const P: usize>(
+        samples: &[Increment<R>; P],
+        single: &[[f32; P]; K],
+        double: &[[f64; P]; K],
+    ) -> Self {
+        let mut fit = Self { rate: [Vector::ZERO; K], force: [Vector::ZERO; K] };
+        for k in 0..K {
+            for j in 0..P {
+                let a = R::entry(single[k][j], double[k][j]);
+                fit.rate[k] = fit.rate[k] + samples[j].angle_b * a;
+                fit.force[k] = fit.force[k] + samples[j].velocity_b * a;
+            }
+        }
+        fit
+    }
+
+    /// Of any number of samples up to `K`, with the table worked out on the spot.
+    pub fn of_any(samples: &[Increment<R>], history: usize, block: usize) -> Self {
+        let mut fit = Self { rate: [Vector::ZERO; K], force: [Vector::ZERO; K] };
+        let coefficients = fit.rate.iter_mut().zip(fit.force.iter_mut());
+        for (k, (rate, force)) in coefficients.enumerate().take(samples.len()) {
+            for (j, sample) in samples.iter().enumerate() {
+                let (numerator, denominator) = interpolating(history, block, samples.len(), k, j);
+                let a = R::ratio(numerator, denominator);
+                *rate = *rate + sample.angle_b * a;
+                *force = *force + sample.velocity_b * a;
+            }
+        }
+        fit
+    }
+}
+
+/// The table of a window in double precision: interpolating, or a straight line where K = 2 < P.
+pub const fn table_f64<const P: usize, const K: usize>(h: usize, b: usize) -> [[f64; P]; K] {
+    let mut table = [[0.0; P]; K];
+    let mut k = 0;
+    while k < K {
+        let mut j = 0;
+        while j < P {
+            let (numerator, denominator) = entry::<P, K>(h, b, k, j);
+            table[k][j] = numerator as f64 / denominator as f64;
+            j += 1;
+        }
+        k += 1;
+    }
+    table
+}
+
+/// The same in single precision.
+pub const fn table_f32<const P: usize, const K: usize>(h: usize, b: usize) -> [[f32; P]; K] {
+    let double = table_f64::<P, K>(h, b);
+    let mut table = [[0.0; P]; K];
+    let mut k = 0;
+    while k < K {
+        let mut j = 0;
+        while j < P {
+            table[k][j] = double[k][j] as f32;
+            j += 1;
+        }
+        k += 1;
+    }
+    table
+}
+
+const fn entry<const P: usize, const K: usize>(
+    h: usize,
+    b: usize,
+    k: usize,
+    j: usize,
+) -> (i128, i128) {
+    if K == P {
+        interpolating(h, b, P, k, j)
+    } else {
+        assert!(K == 2 && h == 0 && b == P, "a line is fitted over the block alone");
+        straight(b, k, j)
+    }
+}
+
+/// A_kj as a ratio, interpolating.
+const fn interpolating(h: usize, b: usize, p: usize, k: usize, j: usize) -> (i128, i128) {
+    // Edges at sᵢ = 2i − (2H + B), σ = s/B. The integral F(s) has F(s_m) = Σ_{j<m} Δθⱼ, so Δθⱼ's share
+    // is Σ_{m>j} ℓ_m(s), ℓ_m = Π_{i≠m}(s − sᵢ)/(s_m − sᵢ), Π_{i≠m}(s_m − sᵢ) = 2ᴾ(−1)ᴾ⁻ᵐ m!(P − m)!.
+    // A_kj = (k + 1) Bᵏ⁺¹ [sᵏ⁺¹] Σ_{m>j} (−1)ᴾ⁻ᵐ C(P, m) Π_{i≠m}(s − sᵢ) / (2ᴾ P!)
+    let origin = (2 * h + b) as i128;
+    let mut numerator: i128 = 0;
+    let mut denominator: i128 = 1;
+    let mut binomial: i128 = 1;
+    let mut m = 0;
+    while m <= p {
+        if m > 0 {
+            binomial = binomial * (p + 1 - m) as i128 / m as i128;
+            denominator *= 2 * m as i128;
+        }
+        if m > j {
+            let mut product = [0i128; MOST_SAMPLES + 2];
+            product[0] = 1;
+            let mut i = 0;
+            while i <= p {
+                if i != m {
+                    let edge = 2 * i as i128 - origin;
+                    let mut power = p;
+                    while power > 0 {
+                        product[power] = product[power - 1] - edge * product[power];
+                        power -= 1;
+                    }
+                    product[0] *= -edge;
+                }
+                i += 1;
+            }
+            let sign = if (p - m) % 2 == 0 { 1 } else { -1 };
+            numerator += sign * binomial * product[k + 1];
+        }
+        m += 1;
+    }
+    let mut power = 0;
+    while power <= k {
+        numerator *= b as i128;
+        power += 1;
+    }
+    reduced(numerator * (k + 1) as i128, denominator)
+}
+
+/// A_kj as a ratio, a straight line by least squares over the block.
+const fn straight(b: usize, k: usize, j: usize) -> (i128, i128) {
+    // The columns of B are orthogonal: A₀ⱼ = ½, A₁ⱼ = cⱼ B/(2Σc²), cⱼ = (2j + 1 − B)/B the middle of
+    // sample j, Σc² = (B² − 1)/(3B)
+    let (b, j) = (b as i128, j as i128);
+    if k == 0 { (1, 2) } else { reduced(3 * (2 * j + 1 - b) * b, 2 * (b * b - 1)) }
+}
+
+const fn reduced(numerator: i128, denominator: i128) -> (i128, i128) {
+    let (mut a, mut b) = (numerator.abs(), denominator);
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    if a == 0 { (0, 1) } else { (numerator / a, denominator / a) }
+}

@@ -1,0 +1,71 @@
+//! What the two navigation frames have in common.
+
+use super::block_time::BlockTime;
+use super::body::BodyMotion;
+use crate::math::real::{Real, Scalar};
+use crate::solution::{EarthFixedSolution, Solution};
+
+/// A navigation frame's state, with the step that carries it over a block.
+pub trait Frame: Copy {
+    /// The scalar it computes in.
+    type Real: Real;
+    /// What it prints: its own coordinates, converted only when asked.
+    type Output: Output<Self::Real>;
+    /// What the inside of a block needs to know of the step across it.
+    type Step: Copy;
+
+    /// From an initial solution.
+    fn start(initial: &Solution<Self::Real>) -> Self;
+    /// Sets up the gravity history: at the start, and whenever a block's duration changes.
+    fn seed(&mut self, time: &BlockTime<Self::Real>, body: &BodyMotion<Self::Real>);
+    /// Steps over a block.
+    fn step(&mut self, time: &BlockTime<Self::Real>, body: &BodyMotion<Self::Real>) -> Self::Step;
+    /// The state at a fraction τ of the block that `step` crossed; `self` is the state before it and
+    /// `body` the body's motion up to τ.
+    fn within(
+        &self,
+        step: &Self::Step,
+        time: &BlockTime<Self::Real>,
+        body: &BodyMotion<Self::Real>,
+        fraction: Self::Real,
+    ) -> Self::Output;
+    /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
+    fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
+    /// The state as it stands.
+    fn output(&self) -> Self::Output;
+}
+
+/// A state that can be turned into a solution in local axes.
+pub trait Output<R: Real>: Copy {
+    /// To the digits of `R`.
+    fn solution(&self) -> Solution<R>;
+    /// In double precision, from all the digits carried.
+    fn wide(&self) -> Solution<f64>
+    where
+        R: Scalar;
+}
+
+impl<R: Real> Output<R> for Solution<R> {
+    #[inline(always)]
+    fn solution(&self) -> Solution<R> {
+        *self
+    }
+    fn wide(&self) -> Solution<f64>
+    where
+        R: Scalar,
+    {
+        self.widen()
+    }
+}
+
+impl<R: Real> Output<R> for EarthFixedSolution<R> {
+    fn solution(&self) -> Solution<R> {
+        self.to_local()
+    }
+    fn wide(&self) -> Solution<f64>
+    where
+        R: Scalar,
+    {
+        self.widen().to_local()
+    }
+}

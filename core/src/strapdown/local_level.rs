@@ -1,0 +1,309 @@
+//! The nav step in north, east and down at the vehicle: the paper's own frame.
+//!
+//! Within a block the axes n0 stand still in inertial space as they were at its start, and velocity is
+//! relative to the Earth; at the end the frame turns to the new place. No state is as large as the
+//! Earth, which makes it the frame for single precision. Near a pole use the Earth-fixed frame.
+
+use super::block_time::BlockTime;
+use super::body::BodyMotion;
+use super::frame::Frame;
+use super::meridian::{Meridian, PlaceChange, curvature};
+use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic, SOMIGLIANA, height_factor};
+use crate::math::compensated::{Accumulate, Pair, two_sum};
+use crate::math::quaternion::{Matrix, Quaternion};
+use crate::math::real::Real;
+use crate::math::vector::Vector;
+use crate::record::{Record, record};
+use crate::solution::Solution;
+
+/// State in local-level axes; `S` sums it up.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct LocalLevel<S: Accumulate> {
+    position: Geodetic<S>,
+    /// sinφ and cosφ, carried with the same increments as φ.
+    sine: S,
+    cosine: S,
+    /// North, east, down, relative to the Earth, m/s.
+    velocity: Vector<S>,
+    /// Body → north, east, down.
+    attitude: Quaternion<S>,
+    /// 1/W − 1 at the latitude.
+    curvature: S::Real,
+    /// γ − γ_e here, m/s².
+    gravity_excess: S::Real,
+    /// ∇ and ∇² of plumb gravity, in the present axes.
+    difference: Vector<S::Real>,
+    second_difference: Vector<S::Real>,
+}
+
+/// What rows inside a block need.
+#[derive(Clone, Copy, Debug)]
+pub struct LocalLevelStep<R> {
+    matrix: Matrix<R>,
+    meridian: Meridian<R>,
+    /// (δ + ∇)/2 and (δ − ∇)/2 of plumb gravity over the block.
+    slope: Vector<R>,
+    curvature: Vector<R>,
+}
+
+/// γ − γ_e at a latitude and altitude, without cancellation; `curvature` is 1/W − 1.
+#[inline(always)]
+fn gravity_excess<R: Real>(sine: R, altitude: R, curvature: R) -> R {
+    // γ/γ_e = (1 + A)(1 + B), 1 + A = (1 + k s²)/W
+    let s2 = sine * sine;
+    let somigliana = R::of(SOMIGLIANA) * s2;
+    let a = somigliana + (R::ONE + somigliana) * curvature;
+    let b = height_factor(s2, altitude);
+    R::of(EQUATORIAL_GRAVITY) * (a + (b + a * b))
+}
+
+/// Displacements over a time t from v₀ and the net velocity integral, in n0.
+struct Displacement<R> {
+    /// d: change of position plus the frame's own motion, inertially, m.
+    inertial: Vector<R>,
+    /// D: relative to the Earth, m.
+    relative: Vector<R>,
+}
+
+/// `low` is what `time` was rounded by, and `velocity_low` what `velocity` was.
+#[inline(always)]
+fn displacement<R: Real>(
+    velocity: Vector<R>,
+    net: Vector<R>,
+    omega: Vector<R>,
+    time: R,
+    low: Vector<R>,
+) -> Displacement<R> {
+    let t2 = time * time;
+    // ∫d = v₀T²/2 + (T/3)net − Ω×(v₀T³/6 + net·T²/12),  ∬d = v₀T³/6 + net·T²/12 − Ω×v₀T⁴/24
+    let second = velocity * (t2 * time * R::of(1.0 / 6.0)) + net * (t2 * R::of(1.0 / 12.0));
+    let first = velocity * (t2 * R::HALF) + net * (time * R::of(1.0 / 3.0)) - omega.cross(second);
+    // d = v₀T + net − Ω×∫d
+    let inertial = velocity * time + (net - omega.cross(first) + low);
+    // D = d − Ω×(Td − ∫d) + Ω×(Ω×(½T²d − T∫d + ∬d))
+    let drag = omega.cross(inertial * time - first);
+    let twice = omega.cross(omega.cross(inertial * (t2 * R::HALF) - first * time + second));
+    Displacement { inertial, relative: inertial - drag + twice }
+}
+
+impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
+    #[inline(always)]
+    fn meridian(&self) -> Meridian<R> {
+        Meridian::at(
+            self.sine.value(),
+            self.cosine.value(),
+            self.position.altitude.value(),
+            self.curvature,
+        )
+    }
+
+    /// v·t's share of the remainders of v and of t.
+    #[inline(always)]
+    fn moved_low(&self, time: &BlockTime<R>, fraction: R) -> Vector<R> {
+        let v = self.velocity;
+        let t = time.time.hi * fraction;
+        let low = |s: S| s.remainder() * t + s.value() * (time.time.lo * fraction);
+        Vector::new(low(v.x), low(v.y), low(v.z))
+    }
+
+    /// The change of δ: plumb gravity at the new place less that at the old one, in n0.
+    #[inline(always)]
+    fn plumb_change(&self, excess: R, turn: Quaternion<R>) -> Vector<R> {
+        // δ = (dγ₁ − dγ₀)ẑ + γ₁(C − I)ẑ
+        let tilt = turn.turn_less_one(Vector::new(R::ZERO, R::ZERO, R::ONE));
+        let mut delta = tilt * (R::of(EQUATORIAL_GRAVITY) + excess);
+        delta.z = delta.z + (excess - self.gravity_excess);
+        delta
+    }
+}
+
+/// Adds a change of place.
+#[inline(always)]
+fn add_place<S: Accumulate>(position: &mut Geodetic<S>, change: &PlaceChange<S::Real>) {
+    position.latitude.add(change.latitude);
+    position.longitude.add(change.longitude);
+    position.altitude.add(change.altitude);
+}
+
+impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
+    type Real = R;
+    type Output = Solution<R>;
+    type Step = LocalLevelStep<R>;
+
+    fn start(initial: &Solution<R>) -> Self {
+        let (sine, cosine) = initial.position.latitude.sin_cos();
+        let curvature = curvature(sine.hi);
+        Self {
+            position: initial.position.map(S::from_pair),
+            sine: S::from_pair(sine),
+            cosine: S::from_pair(cosine),
+            velocity: initial.velocity_ned.map(S::from_pair),
+            attitude: initial.attitude.map(S::from_pair),
+            curvature,
+            gravity_excess: gravity_excess(sine.hi, initial.position.altitude.hi, curvature),
+            difference: Vector::ZERO,
+            second_difference: Vector::ZERO,
+        }
+    }
+
+    #[inline(never)]
+    fn seed(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) {
+        // For k = 1, 2: t = −kT, net = ½t²(C u/T + G̃₀), then place and frame at t.
+        let matrix = self.attitude.value().matrix(R::ONE);
+        let mut acceleration = (matrix * body.velocity) * (R::ONE / time.time.hi);
+        acceleration.z = acceleration.z + (R::of(EQUATORIAL_GRAVITY) + self.gravity_excess);
+        let meridian = self.meridian();
+        let omega = earth::rotation_ned(meridian.sine, meridian.cosine);
+        let back = |t: R| {
+            let net = acceleration * (R::HALF * t * t);
+            let v = self.velocity.value();
+            let moved = displacement(v, net, omega, t, Vector::ZERO);
+            let change = meridian.moved(moved.relative);
+            let turn =
+                meridian.frame_turn(&change, change.longitude + R::of(earth::ROTATION_RATE) * t);
+            let sine = meridian.sine
+                + (meridian.sine * change.cosine_less_one + meridian.cosine * change.sine);
+            let altitude = self.position.altitude.value() + change.altitude;
+            self.plumb_change(gravity_excess(sine, altitude, curvature(sine)), turn)
+        };
+        let before = back(-time.time.hi);
+        let before_that = back(-(R::TWO * time.time.hi));
+        // ∇ = G̃₀ − G̃₋₁,  ∇² = G̃₀ − 2G̃₋₁ + G̃₋₂
+        self.difference = -before;
+        self.second_difference = before_that - before - before;
+    }
+
+    #[inline(always)]
+    fn step(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) -> LocalLevelStep<R> {
+        let t = time.time.hi;
+        let q = self.attitude.value();
+        let matrix = q.matrix(R::ONE);
+        let velocity = self.velocity.value();
+        let (nabla, nabla2) = (self.difference, self.second_difference);
+        let meridian = self.meridian();
+        let omega = earth::rotation_ned(meridian.sine, meridian.cosine);
+
+        // net = C s + T²(½G̃₀ + ⅙∇ + ⅛∇²)
+        let mut fall = nabla * R::of(1.0 / 6.0) + nabla2 * R::of(0.125);
+        fall.z = fall.z + self.gravity_excess * R::HALF;
+        let mut net = matrix * body.position + fall * time.square;
+        net.z = net.z + time.half_gravity_square.hi;
+        let low = self.moved_low(time, R::ONE);
+        let moved = displacement(velocity, net, omega, t, low);
+        let change = meridian.moved(moved.relative);
+        let turn = meridian.frame_turn(&change, change.longitude + time.turn.hi);
+
+        add_place(&mut self.position, &change);
+        let (s, c) = (meridian.sine, meridian.cosine);
+        self.sine.add(c * change.sine + s * change.cosine_less_one);
+        self.cosine.add(c * change.cosine_less_one - s * change.sine);
+        self.curvature = curvature(self.sine.value());
+        let excess =
+            gravity_excess(self.sine.value(), self.position.altitude.value(), self.curvature);
+        // δ, δ² = δ − ∇, δ³ = δ² − ∇²
+        let delta = self.plumb_change(excess, turn);
+        let delta2 = delta - nabla;
+        let delta3 = delta2 - nabla2;
+        // Δw = C u + T(G̃₁ − ½δ − δ²/12 − δ³/24) − Ω×d,  G̃₁ = G̃₀ + δ
+        let mut mean = delta * R::HALF - delta2 * R::of(1.0 / 12.0) - delta3 * R::of(1.0 / 24.0);
+        mean.z = mean.z + self.gravity_excess;
+        let rest = mean * t - omega.cross(moved.inertial);
+        let gained = matrix * body.velocity;
+        let (fallen, low) = two_sum(gained.z, time.gravity.hi);
+        self.velocity.x.add(gained.x + rest.x);
+        self.velocity.y.add(gained.y + rest.y);
+        self.velocity.z.add(fallen);
+        self.velocity.z.add(rest.z + (low + time.gravity.lo));
+        self.gravity_excess = excess;
+
+        // Into the axes at the end: v ← q* v, q_b ← q* ⊗ q_b ⊗ q_bb
+        let back = turn.conjugate();
+        let dv = back.turn_less_one(self.velocity.value());
+        self.velocity.accumulate(dv);
+        self.difference = delta + back.turn_less_one(delta);
+        self.second_difference = delta2 + back.turn_less_one(delta2);
+        self.attitude.accumulate(q * body.rotation);
+        let dq = back * self.attitude.value();
+        self.attitude.accumulate(dq);
+        LocalLevelStep {
+            matrix,
+            meridian,
+            slope: (delta + nabla) * R::HALF,
+            curvature: delta2 * R::HALF,
+        }
+    }
+
+    #[inline]
+    fn within(
+        &self,
+        step: &LocalLevelStep<R>,
+        time: &BlockTime<R>,
+        body: &BodyMotion<R>,
+        fraction: R,
+    ) -> Solution<R> {
+        let (tau, tau2) = (fraction, fraction * fraction);
+        let (b, c) = (step.slope, step.curvature);
+        let g0 = R::of(EQUATORIAL_GRAVITY) + self.gravity_excess;
+        let meridian = &step.meridian;
+        let omega = earth::rotation_ned(meridian.sine, meridian.cosine);
+        // net(τ) = C s + T²(τ²G̃₀/2 + τ³b/6 + τ⁴c/12)
+        let mut fall = b * (tau * R::of(1.0 / 6.0)) + c * (tau2 * R::of(1.0 / 12.0));
+        fall.z = fall.z + g0 * R::HALF;
+        let net = step.matrix * body.position + fall * (time.square * tau2);
+        let velocity = self.velocity.value();
+        let t = time.time.hi * tau;
+        let moved = displacement(velocity, net, omega, t, self.moved_low(time, tau));
+        let change = meridian.moved(moved.relative);
+        let turn = meridian.frame_turn(&change, change.longitude + time.turn.hi * tau);
+        let mut position = self.position;
+        add_place(&mut position, &change);
+
+        // v = v₀ + C u + T(τG̃₀ + τ²b/2 + τ³c/3) − Ω×d(τ), turned by q*
+        let mut gained = b * (tau2 * R::HALF) + c * (tau2 * tau * R::of(1.0 / 3.0));
+        gained.z = gained.z + g0 * tau;
+        let mut v = self.velocity;
+        let rest = gained * time.time.hi - omega.cross(moved.inertial);
+        v.accumulate(step.matrix * body.velocity + rest);
+        let back = turn.conjugate();
+        let dv = back.turn_less_one(v.value());
+        v.accumulate(dv);
+        let mut attitude = self.attitude;
+        attitude.accumulate(self.attitude.value() * body.rotation);
+        let dq = back * attitude.value();
+        attitude.accumulate(dq);
+        print(position, v, attitude)
+    }
+
+    fn hold_vertical(&mut self, altitude: R, down: R) {
+        self.position.altitude = S::from_pair(Pair::new(altitude));
+        self.velocity.z = S::from_pair(Pair::new(down));
+        self.gravity_excess = gravity_excess(self.sine.value(), altitude, self.curvature);
+    }
+
+    #[inline]
+    fn output(&self) -> Solution<R> {
+        print(self.position, self.velocity, self.attitude)
+    }
+}
+
+#[inline]
+fn print<R: Real, S: Accumulate<Real = R>>(
+    position: Geodetic<S>,
+    velocity: Vector<S>,
+    attitude: Quaternion<S>,
+) -> Solution<R> {
+    Solution {
+        position: position.map(S::pair),
+        velocity_ned: velocity.map(S::pair),
+        attitude: attitude.map(S::pair),
+    }
+}
+
+impl<S: Accumulate + Record> Record for LocalLevel<S>
+where
+    S::Real: Record,
+{
+    record!(position, sine, cosine, velocity, attitude, curvature, gravity_excess,
+        difference, second_difference);
+}

@@ -1,0 +1,173 @@
+//! What every mechanization has in common: how it is started and fed, and what it refuses.
+
+use super::frame::Output;
+use crate::math::real::Real;
+use crate::sample::Increment;
+use crate::solution::Solution;
+
+/// A mechanization: a configuration that carries a state from sample to sample.
+pub trait Mechanization {
+    /// The scalar it computes in.
+    type Real: Real;
+    /// The frame's share of the state: what navigation stands at.
+    type Frame: Copy;
+    /// What goes on from sample to sample.
+    type State: Copy;
+    /// What it prints.
+    type Output: Output<Self::Real>;
+
+    /// Starts from an initial solution.
+    fn start(&self, initial: &Solution<Self::Real>) -> Result<Self::State, StartError>;
+    /// Takes a sample; no row is read.
+    fn push(
+        &self,
+        state: &mut Self::State,
+        sample: Increment<Self::Real>,
+    ) -> Result<(), Rejected>;
+    /// Takes a sample and reads the rows that it completes: the number of samples up to each, and the
+    /// navigation there.
+    fn push_rows(
+        &self,
+        state: &mut Self::State,
+        sample: Increment<Self::Real>,
+        read: impl FnMut(u64, Self::Output),
+    ) -> Result<(), Rejected>;
+    /// Completes the rows that wait for samples, and reads them.
+    fn finish_rows(&self, state: &mut Self::State, read: impl FnMut(u64, Self::Output));
+    /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
+    fn hold_vertical(&self, state: &mut Self::State, altitude: Self::Real, down: Self::Real);
+    /// The frame's share of a state.
+    fn frame(state: &Self::State) -> &Self::Frame;
+    /// How many samples it has integrated.
+    fn integrated(state: &Self::State) -> u64;
+    /// The navigation that the state stands at.
+    fn output(&self, state: &Self::State) -> Self::Output;
+}
+
+/// Why a sample was not taken. The state is as it was, bit for bit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Rejected {
+    /// An angle increment that is not finite, or above the limit.
+    Angle,
+    /// A velocity increment that is not finite, or above the limit.
+    Velocity,
+}
+
+impl core::fmt::Display for Rejected {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Angle => "the angle increment is not finite or exceeds the limit",
+            Self::Velocity => "the velocity increment is not finite or exceeds the limit",
+        })
+    }
+}
+
+impl core::error::Error for Rejected {}
+
+/// Why navigation cannot start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum StartError {
+    /// The sampling interval is not above 0 s and at most 1 s.
+    Interval,
+    /// A limit is not a positive finite number.
+    Limits,
+    /// The position is not finite, beyond ±90° of latitude, or farther than 10⁷ m from the ellipsoid.
+    Position,
+    /// The velocity is not finite or above 10⁵ m/s.
+    Velocity,
+    /// The attitude is not a unit quaternion to a thousandth.
+    Attitude,
+}
+
+impl core::fmt::Display for StartError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Interval => "the sampling interval must be above 0 s and at most 1 s",
+            Self::Limits => "the limits must be positive and finite",
+            Self::Position => "the initial position must be finite, on Earth or near it",
+            Self::Velocity => "the initial velocity must be finite and at most 100 km/s",
+            Self::Attitude => "the initial attitude must be a unit quaternion",
+        })
+    }
+}
+
+impl core::error::Error for StartError {}
+
+/// The largest readings that can be right.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Limits<R> {
+    /// Angular rate, rad/s.
+    pub angular_rate: R,
+    /// Specific force, m/s².
+    pub specific_force: R,
+}
+
+impl<R: Real> Default for Limits<R> {
+    /// 10⁵ °/s and 10⁵ m/s².
+    fn default() -> Self {
+        Self {
+            angular_rate: R::of(1e5 * core::f64::consts::PI / 180.0),
+            specific_force: R::of(1e5),
+        }
+    }
+}
+
+/// The limits over one sample.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) struct Gate<R> {
+    most_angle: R,
+    most_velocity: R,
+}
+
+impl<R: Real> Gate<R> {
+    /// For samples of an interval in seconds.
+    pub fn new(interval_s: R, limits: Limits<R>) -> Result<Self, StartError> {
+        let positive = |x: R| x.is_within(R::of(1e30)) & !R::any(x.less(R::of(1e-30)));
+        if !positive(interval_s) || !interval_s.is_within(R::ONE) {
+            return Err(StartError::Interval);
+        }
+        if !positive(limits.angular_rate) || !positive(limits.specific_force) {
+            return Err(StartError::Limits);
+        }
+        Ok(Self {
+            most_angle: limits.angular_rate * interval_s,
+            most_velocity: limits.specific_force * interval_s,
+        })
+    }
+
+    /// Whether a sample can be right.
+    #[inline(always)]
+    pub fn admit(&self, sample: &Increment<R>) -> Result<(), Rejected> {
+        if !sample.angle_b.is_within(self.most_angle) {
+            return Err(Rejected::Angle);
+        }
+        if !sample.velocity_b.is_within(self.most_velocity) {
+            return Err(Rejected::Velocity);
+        }
+        Ok(())
+    }
+}
+
+/// Whether an initial solution can be right.
+pub(super) fn check_start<R: Real>(initial: &Solution<R>) -> Result<(), StartError> {
+    let position = initial.position.map(|c| c.hi);
+    let pole = R::of(core::f64::consts::FRAC_PI_2 * (1.0 + 1e-7));
+    let on_earth = position.latitude.is_within(pole)
+        & position.longitude.is_within(R::of(core::f64::consts::TAU))
+        & position.altitude.is_within(R::of(1e7));
+    if !on_earth {
+        return Err(StartError::Position);
+    }
+    if !initial.velocity_ned.map(|c| c.hi).is_within(R::of(1e5)) {
+        return Err(StartError::Velocity);
+    }
+    let q = initial.attitude.map(|c| c.hi);
+    if !(q.dot(q) - R::ONE).is_within(R::of(2e-3)) {
+        return Err(StartError::Attitude);
+    }
+    Ok(())
+}

@@ -1,0 +1,15 @@
+//! Strapdown mechanization: increments in, position, velocity and attitude out.
+
+pub mod block_time;
+pub mod body;
+pub mod earth_fixed;
+pub mod fit;
+pub mod frame;
+pub mod gravitation;
+pub mod local_level;
+pub mod mechanization;
+pub mod meridian;
+pub mod navigator;
+pub mod plan;
+pub mod textbook;
+pub mod window;

@@ -1,0 +1,323 @@
+//! The navigator: samples go in one by one, states come out block by block.
+//!
+//! Look-ahead delays a row, it never changes it. The first block of a window that wants history looks
+//! ahead instead; the last ones look back; so a stream of any length ends with a row for every sample.
+
+use super::block_time::BlockTime;
+use super::body::{self, BodyMotion};
+use super::fit::{Fit, MOST_SAMPLES};
+use super::frame::Frame;
+use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, check_start};
+use super::window::{BlockSeries, FIRST_SAMPLES, LINE_LAST_SAMPLES, Window, sum};
+use crate::math::compensated::Pair;
+use crate::math::real::Real;
+use crate::sample::Increment;
+use crate::solution::Solution;
+use core::marker::PhantomData;
+
+/// Terms of the series of first and last blocks, whatever their window.
+const EDGE_TERMS: usize = 15;
+/// Samples at most in a stream's last blocks.
+const LAST_BLOCK: usize = 4;
+
+/// Configuration of a strapdown navigator in frame `F` with window `W`.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Strapdown<F: Frame, W> {
+    interval: Pair<F::Real>,
+    block: BlockTime<F::Real>,
+    gate: Gate<F::Real>,
+    window: PhantomData<W>,
+}
+
+/// State of a strapdown navigator: `Copy`, to store, compare or try out a future.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct State<F: Frame, W: Window> {
+    frame: F,
+    /// The latest samples, of which the last `pending` are not integrated yet.
+    samples: W::Samples<Increment<F::Real>>,
+    filled: usize,
+    pending: usize,
+    /// Samples integrated since the start.
+    integrated: u64,
+    /// Samples of the block that the gravity history belongs to; 0 before the first.
+    seeded: usize,
+}
+
+impl<F: Frame, W: Window> State<F, W> {
+    /// Navigation at the end of the last block.
+    pub fn output(&self) -> F::Output {
+        self.frame.output()
+    }
+
+    /// Samples integrated since the start: the index of the sample that `output` belongs to.
+    pub fn integrated(&self) -> u64 {
+        self.integrated
+    }
+}
+
+/// Who reads the rows.
+pub trait Read<O> {
+    /// Whether rows inside a block are wanted at all.
+    const EVERY_ROW: bool;
+    /// A row: the number of samples that lie behind it, and the navigation there.
+    fn row(&mut self, samples: u64, output: O);
+}
+
+/// Nobody reads rows: the state at a block's end is all.
+struct Unread;
+
+impl<O> Read<O> for Unread {
+    const EVERY_ROW: bool = false;
+    #[inline(always)]
+    fn row(&mut self, _: u64, _: O) {}
+}
+
+/// A closure reads every row.
+struct Every<C>(C);
+
+impl<O, C: FnMut(u64, O)> Read<O> for Every<C> {
+    const EVERY_ROW: bool = true;
+    #[inline(always)]
+    fn row(&mut self, samples: u64, output: O) {
+        (self.0)(samples, output);
+    }
+}
+
+impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
+    /// With a sampling interval in seconds and the default limits.
+    pub fn new(interval_s: Pair<R>) -> Result<Self, StartError> {
+        Self::with_limits(interval_s, Limits::default())
+    }
+
+    /// With a sampling interval in seconds and limits.
+    pub fn with_limits(interval_s: Pair<R>, limits: Limits<R>) -> Result<Self, StartError> {
+        Ok(Self {
+            interval: interval_s,
+            block: BlockTime::new(interval_s, W::BLOCK),
+            gate: Gate::new(interval_s.hi, limits)?,
+            window: PhantomData,
+        })
+    }
+
+    /// Starts from an initial solution, whose attitude is brought to unit length.
+    pub fn start(&self, initial: &Solution<R>) -> Result<State<F, W>, StartError> {
+        check_start(initial)?;
+        Ok(State {
+            frame: F::start(initial),
+            samples: W::Samples::default(),
+            filled: 0,
+            pending: 0,
+            integrated: 0,
+            seeded: 0,
+        })
+    }
+
+    /// Takes a sample; the state moves on whenever a block is complete.
+    #[inline(always)]
+    pub fn push(&self, state: &mut State<F, W>, sample: Increment<R>) -> Result<(), Rejected> {
+        self.take(state, sample, &mut Unread)
+    }
+
+    /// Takes a sample and reads every row that it completes: the number of samples up to the row, and
+    /// the navigation there.
+    #[inline(always)]
+    pub fn push_rows(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+        read: impl FnMut(u64, F::Output),
+    ) -> Result<(), Rejected> {
+        self.take(state, sample, &mut Every(read))
+    }
+
+    /// Integrates what is pending: the stream is at its end. More samples may follow all the same.
+    pub fn finish(&self, state: &mut State<F, W>) {
+        self.last_blocks(state, &mut Unread);
+    }
+
+    /// The same, reading every row.
+    pub fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
+        self.last_blocks(state, &mut Every(read));
+    }
+
+    /// Navigation at the newest sample, without the look-ahead that its rows wait for.
+    pub fn predict(&self, state: &State<F, W>) -> F::Output {
+        let mut ahead = *state;
+        self.finish(&mut ahead);
+        ahead.output()
+    }
+
+    #[inline(always)]
+    fn take(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+        read: &mut impl Read<F::Output>,
+    ) -> Result<(), Rejected> {
+        self.gate.admit(&sample)?;
+        self.store(state, sample);
+        let past = state.filled - state.pending;
+        if past < W::HISTORY {
+            if state.filled < FIRST_SAMPLES {
+                return Ok(());
+            }
+            self.edge_block(state, past, W::BLOCK, FIRST_SAMPLES, read);
+        }
+        while state.pending >= W::BLOCK + W::LOOKAHEAD {
+            self.whole_block(state, read);
+        }
+        Ok(())
+    }
+
+    /// Stores a sample, dropping the oldest ones a block at a time.
+    #[inline(always)]
+    fn store(&self, state: &mut State<F, W>, sample: Increment<R>) {
+        let samples = state.samples.as_mut();
+        if state.filled >= samples.len() {
+            for i in W::BLOCK..samples.len() {
+                samples[i - W::BLOCK] = samples[i];
+            }
+            state.filled = samples.len() - W::BLOCK;
+        }
+        if let Some(slot) = samples.get_mut(state.filled) {
+            *slot = sample;
+            state.filled += 1;
+            state.pending += 1;
+        }
+    }
+
+    #[inline(always)]
+    fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F::Output>) {
+        let begin = state.filled - state.pending - W::HISTORY;
+        let window = state.samples.as_ref().get(begin..).unwrap_or(&[]);
+        if let Some((body, series)) = W::integrate::<R>(window, self.block.half) {
+            self.step(state, &self.block, W::BLOCK, &body, &series, read);
+        }
+    }
+
+    /// A block of `block` samples within the window of `all` samples that starts `history` before it.
+    #[inline(never)]
+    fn edge_block(
+        &self,
+        state: &mut State<F, W>,
+        history: usize,
+        block: usize,
+        all: usize,
+        read: &mut impl Read<F::Output>,
+    ) {
+        let begin = state.filled.saturating_sub(state.pending + history);
+        let samples = state.samples;
+        let window = samples.as_ref().get(begin..begin + all).unwrap_or(&[]);
+        let own = window.get(history..history + block).unwrap_or(&[]);
+        let time = BlockTime::new(self.interval, block);
+        let fit = Fit::<R, MOST_SAMPLES>::of_any(window, history, block);
+        let (body, series) =
+            body::integrate::<R, MOST_SAMPLES, { EDGE_TERMS + 1 }>(&fit, sum(own), time.half);
+        self.step(state, &time, block, &body, &series, read);
+    }
+
+    /// The last blocks: the look-ahead that is missing goes to the history.
+    #[inline(never)]
+    fn last_blocks(&self, state: &mut State<F, W>, read: &mut impl Read<F::Output>) {
+        while state.pending > 0 {
+            let block = state.pending.min(W::BLOCK).min(LAST_BLOCK);
+            let most = if W::COEFFICIENTS < W::SAMPLES {
+                LINE_LAST_SAMPLES
+            } else {
+                W::SAMPLES.max(LAST_BLOCK)
+            };
+            let lookahead = (state.pending - block).min(most - block);
+            let past = state.filled - state.pending;
+            let history = past.min(most - block - lookahead);
+            self.edge_block(state, history, block, history + block + lookahead, read);
+        }
+    }
+
+    #[inline(always)]
+    fn step(
+        &self,
+        state: &mut State<F, W>,
+        time: &BlockTime<R>,
+        block: usize,
+        body: &BodyMotion<R>,
+        series: &impl BlockSeries<R>,
+        read: &mut impl Read<F::Output>,
+    ) {
+        if state.seeded != block {
+            state.frame.seed(time, body);
+            state.seeded = block;
+        }
+        self.cross(state, time, block, body, series, read);
+    }
+
+    #[inline(always)]
+    fn cross<Q: Read<F::Output>>(
+        &self,
+        state: &mut State<F, W>,
+        time: &BlockTime<R>,
+        block: usize,
+        body: &BodyMotion<R>,
+        series: &impl BlockSeries<R>,
+        read: &mut Q,
+    ) {
+        let before = state.frame;
+        let step = state.frame.step(time, body);
+        if Q::EVERY_ROW {
+            let part = R::INVERSE.get(block).copied().unwrap_or(R::ZERO);
+            for row in 1..block {
+                let fraction = R::count(row as u32) * part;
+                let inside = series.until(fraction + fraction - R::ONE, time.half);
+                let output = before.within(&step, time, &inside, fraction);
+                read.row(state.integrated + row as u64, output);
+            }
+            read.row(state.integrated + block as u64, state.frame.output());
+        }
+        state.integrated += block as u64;
+        state.pending -= block;
+    }
+}
+
+impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
+    type Real = F::Real;
+    type Frame = F;
+    type State = State<F, W>;
+    type Output = F::Output;
+
+    fn start(&self, initial: &Solution<F::Real>) -> Result<State<F, W>, StartError> {
+        Strapdown::start(self, initial)
+    }
+    #[inline]
+    fn push(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<F::Real>,
+    ) -> Result<(), Rejected> {
+        Strapdown::push(self, state, sample)
+    }
+    #[inline]
+    fn push_rows(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<F::Real>,
+        read: impl FnMut(u64, F::Output),
+    ) -> Result<(), Rejected> {
+        Strapdown::push_rows(self, state, sample, read)
+    }
+    fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
+        Strapdown::finish_rows(self, state, read);
+    }
+    fn hold_vertical(&self, state: &mut State<F, W>, altitude: F::Real, down: F::Real) {
+        state.frame.hold_vertical(altitude, down);
+    }
+    fn frame(state: &State<F, W>) -> &F {
+        &state.frame
+    }
+    fn integrated(state: &State<F, W>) -> u64 {
+        state.integrated
+    }
+    fn output(&self, state: &State<F, W>) -> F::Output {
+        state.output()
+    }
+}

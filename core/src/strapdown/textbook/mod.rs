@@ -1,0 +1,134 @@
+//! The textbook mechanization: a step per sample, with the previous sample for coning and sculling.
+//!
+//! The paper's own kind (§2.4: quaternion, attitude matrix, velocity, position), as the field knows it
+//! from Savage, *Strapdown Inertial Navigation Integration Algorithm Design*, J. Guidance 21 (1998), and
+//! Groves, 2nd ed., §5.5; with the complete rotation of the velocity increment. Gravity, Coriolis and
+//! transport rate are taken at the middle of the step. No trigonometry: sines and cosines advance.
+
+pub mod body;
+pub mod earth_fixed;
+pub mod local_level;
+
+pub use earth_fixed::EarthFixedTextbook;
+pub use local_level::LocalLevelTextbook;
+
+use super::frame::Output;
+use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, check_start};
+use crate::math::real::Real;
+use crate::math::vector::Vector;
+use crate::sample::Increment;
+use crate::solution::Solution;
+use body::Compensated;
+use core::marker::PhantomData;
+
+/// A textbook frame: its state and the step over one sample.
+pub trait TextbookFrame: Copy {
+    /// The scalar it computes in.
+    type Real: Real;
+    /// What it prints.
+    type Output: Output<Self::Real>;
+
+    /// From an initial solution.
+    fn start(initial: &Solution<Self::Real>) -> Self;
+    /// Steps over one sample of `interval_s`.
+    fn step(&mut self, interval_s: Self::Real, body: &Compensated<Self::Real>);
+    /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
+    fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
+    /// The state as it stands.
+    fn output(&self) -> Self::Output;
+}
+
+/// Configuration of the textbook navigator in frame `F`.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Textbook<F: TextbookFrame> {
+    interval: F::Real,
+    gate: Gate<F::Real>,
+    frame: PhantomData<F>,
+}
+
+/// State of the textbook navigator.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TextbookState<F: TextbookFrame> {
+    frame: F,
+    previous: Increment<F::Real>,
+    integrated: u64,
+}
+
+impl<F: TextbookFrame> Textbook<F> {
+    /// With a sampling interval in seconds and the default limits.
+    pub fn new(interval_s: F::Real) -> Result<Self, StartError> {
+        Self::with_limits(interval_s, Limits::default())
+    }
+
+    /// With a sampling interval in seconds and limits.
+    pub fn with_limits(
+        interval_s: F::Real,
+        limits: Limits<F::Real>,
+    ) -> Result<Self, StartError> {
+        Ok(Self {
+            interval: interval_s,
+            gate: Gate::new(interval_s, limits)?,
+            frame: PhantomData,
+        })
+    }
+}
+
+impl<F: TextbookFrame> Mechanization for Textbook<F> {
+    type Real = F::Real;
+    type Frame = F;
+    type State = TextbookState<F>;
+    type Output = F::Output;
+
+    fn start(&self, initial: &Solution<F::Real>) -> Result<TextbookState<F>, StartError> {
+        check_start(initial)?;
+        // No previous sample: no rotation and no force, hence no coning and no sculling.
+        let previous = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
+        Ok(TextbookState { frame: F::start(initial), previous, integrated: 0 })
+    }
+
+    #[inline(always)]
+    fn push(
+        &self,
+        state: &mut TextbookState<F>,
+        sample: Increment<F::Real>,
+    ) -> Result<(), Rejected> {
+        self.gate.admit(&sample)?;
+        let body = Compensated::of(&sample, &state.previous);
+        state.frame.step(self.interval, &body);
+        state.previous = sample;
+        state.integrated += 1;
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn push_rows(
+        &self,
+        state: &mut TextbookState<F>,
+        sample: Increment<F::Real>,
+        mut read: impl FnMut(u64, F::Output),
+    ) -> Result<(), Rejected> {
+        self.push(state, sample)?;
+        read(state.integrated, state.frame.output());
+        Ok(())
+    }
+
+    fn finish_rows(&self, _: &mut TextbookState<F>, _: impl FnMut(u64, F::Output)) {}
+
+    fn hold_vertical(&self, state: &mut TextbookState<F>, altitude: F::Real, down: F::Real) {
+        state.frame.hold_vertical(altitude, down);
+    }
+
+    fn frame(state: &TextbookState<F>) -> &F {
+        &state.frame
+    }
+
+    fn integrated(state: &TextbookState<F>) -> u64 {
+        state.integrated
+    }
+
+    fn output(&self, state: &TextbookState<F>) -> F::Output {
+        state.frame.output()
+    }
+}

@@ -1,0 +1,182 @@
+//! The paper's trajectory, generalised: every channel is offset + rate·t + a sum of harmonics.
+//!
+//! Equations (1) and (2) of the paper, with more than one harmonic per channel. Harmonics of one
+//! frequency are evaluated once for all channels, and a constant channel is not evaluated at all.
+
+use super::{Bound, Jet, Motion, Trajectory};
+use crate::math::real::Scalar;
+use heapless::Vec;
+
+/// amplitude · cos(angular_rate · t + phase).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Harmonic<R> {
+    /// In the channel's unit: rad, or m.
+    pub amplitude: R,
+    /// ω = 2π/period, rad/s.
+    pub angular_rate: R,
+    /// At t = 0, rad.
+    pub phase: R,
+}
+
+/// One channel: offset + rate·t + Σ harmonics. Angles in rad, altitude in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Channel<'a, R> {
+    /// The mean value.
+    pub offset: R,
+    /// A steady rate, per second.
+    pub rate: R,
+    /// The oscillations about it.
+    pub harmonics: &'a [Harmonic<R>],
+}
+
+/// The six channels in order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Channels<'a, R> {
+    /// Roll γ, rad.
+    pub roll: Channel<'a, R>,
+    /// Pitch θ, rad.
+    pub pitch: Channel<'a, R>,
+    /// Yaw ψ, rad.
+    pub yaw: Channel<'a, R>,
+    /// Latitude φ, rad.
+    pub latitude: Channel<'a, R>,
+    /// Longitude λ, rad.
+    pub longitude: Channel<'a, R>,
+    /// Altitude h, m.
+    pub altitude: Channel<'a, R>,
+}
+
+/// More harmonics than the trajectory has room for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TooManyHarmonics {
+    /// How many there is room for, over all channels.
+    pub room: usize,
+}
+
+impl core::fmt::Display for TooManyHarmonics {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "the trajectory has room for {} harmonics", self.room)
+    }
+}
+
+impl core::error::Error for TooManyHarmonics {}
+
+/// A channel's share of one tone: cosine·cos ωt + sine·sin ωt.
+#[derive(Clone, Copy, Debug)]
+struct Share<R> {
+    tone: usize,
+    channel: usize,
+    cosine: R,
+    sine: R,
+}
+
+/// A trajectory of harmonic channels, with room for `N` harmonics over all of them.
+#[derive(Clone, Debug)]
+pub struct HarmonicTrajectory<R, const N: usize> {
+    offset: [R; 6],
+    rate: [R; 6],
+    tones: Vec<R, N>,
+    shares: Vec<Share<R>, N>,
+    bound: Bound<R>,
+}
+
+impl<R: Scalar, const N: usize> HarmonicTrajectory<R, N> {
+    /// From its channels.
+    pub fn new(channels: Channels<'_, R>) -> Result<Self, TooManyHarmonics> {
+        let full = TooManyHarmonics { room: N };
+        let Channels { roll, pitch, yaw, latitude, longitude, altitude } = channels;
+        let channels = [roll, pitch, yaw, latitude, longitude, altitude];
+        let mut this = Self {
+            offset: channels.map(|c| c.offset),
+            rate: channels.map(|c| c.rate),
+            tones: Vec::new(),
+            shares: Vec::new(),
+            bound: Bound::default(),
+        };
+        for (channel, description) in channels.iter().enumerate() {
+            for harmonic in description.harmonics {
+                let tone = match this.tones.iter().position(|&w| w == harmonic.angular_rate) {
+                    Some(tone) => tone,
+                    None => {
+                        this.tones.push(harmonic.angular_rate).map_err(|_| full)?;
+                        this.tones.len() - 1
+                    }
+                };
+                // A cos(ωt + φ) = A cosφ · cos ωt − A sinφ · sin ωt
+                let (s, c) = harmonic.phase.sin_cos();
+                let cosine = harmonic.amplitude * c;
+                let sine = -(harmonic.amplitude * s);
+                this.shares.push(Share { tone, channel, cosine, sine }).map_err(|_| full)?;
+            }
+        }
+        this.bound = bound(&channels);
+        Ok(this)
+    }
+}
+
+/// Bounds from the channels' amplitudes and frequencies.
+fn bound<R: Scalar>(channels: &[Channel<'_, R>; 6]) -> Bound<R> {
+    let mut fastest = R::ZERO;
+    let mut greatest_rate = [R::ZERO; 6];
+    for (rate, channel) in greatest_rate.iter_mut().zip(channels) {
+        *rate = channel.rate.abs();
+        for h in channel.harmonics {
+            *rate = *rate + (h.amplitude * h.angular_rate).abs();
+            let w = if h.amplitude == R::ZERO { R::ZERO } else { h.angular_rate.abs() };
+            fastest = if fastest < w { w } else { fastest };
+        }
+    }
+    let [roll, pitch, yaw, latitude, longitude, _] = greatest_rate;
+    let turning = roll + pitch + yaw;
+    let earth = R::of(crate::earth::ROTATION_RATE);
+    Bound {
+        // Products of two harmonics reach twice the fastest, turned by the attitude; gravity and the
+        // transport rate go with sines of up to four times the latitude.
+        bandwidth: fastest + fastest + turning + R::of(4.0) * latitude,
+        angular_rate: turning + earth + latitude + longitude,
+    }
+}
+
+impl<R: Scalar, const N: usize> Trajectory<R> for HarmonicTrajectory<R, N> {
+    #[inline]
+    fn at(&self, time_s: R) -> Motion<R> {
+        let mut value = self.offset;
+        let mut first = self.rate;
+        let mut second = [R::ZERO; 6];
+        for (v, rate) in value.iter_mut().zip(self.rate) {
+            *v = *v + rate * time_s;
+        }
+        for (tone, &w) in self.tones.iter().enumerate() {
+            let (s, c) = (w * time_s).sin_cos();
+            for share in self.shares.iter().filter(|share| share.tone == tone) {
+                let in_phase = share.cosine * c + share.sine * s;
+                let quadrature = share.sine * c - share.cosine * s;
+                // x = a cos ωt + b sin ωt,  ẋ = ω(b cos ωt − a sin ωt),  ẍ = −ω²x
+                if let (Some(x), Some(xd), Some(xdd)) = (
+                    value.get_mut(share.channel),
+                    first.get_mut(share.channel),
+                    second.get_mut(share.channel),
+                ) {
+                    *x = *x + in_phase;
+                    *xd = *xd + w * quadrature;
+                    *xdd = *xdd - w * w * in_phase;
+                }
+            }
+        }
+        let jet = |i: usize| Jet { value: value[i], first: first[i], second: second[i] };
+        Motion {
+            roll: jet(0),
+            pitch: jet(1),
+            yaw: jet(2),
+            latitude: jet(3),
+            longitude: jet(4),
+            altitude: jet(5),
+        }
+    }
+
+    fn bound(&self) -> Bound<R> {
+        self.bound
+    }
+}

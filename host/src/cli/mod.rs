@@ -1,0 +1,163 @@
+//! The command line: commands, their options, and what they do to a scene.
+
+mod options;
+
+pub use options::{FlightOptions, NavigatorOptions, Window};
+
+use crate::input::{Complaint, InputError};
+use crate::scene::{Gap, Scene, builtin};
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+const ABOUT: &str = "Flies a strapdown inertial navigation system through a scene: \
+    true motion, sensors with errors, navigation, and its drift beside theory";
+
+/// The `schuler` program. Without a command it runs a scene.
+#[derive(Clone, Debug, Parser)]
+#[command(name = "schuler", version, about = ABOUT, args_conflicts_with_subcommands = true)]
+#[command(after_help = "Examples:\n  schuler                     the paper's flight\n  \
+    schuler scenes              what else there is to fly\n  schuler run hard --seed 7")]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+impl Cli {
+    /// The command that was given, or the one that none stands for.
+    pub fn command(self) -> Command {
+        self.command.unwrap_or(Command::Run(self.run))
+    }
+}
+
+/// What the program can do.
+#[derive(Clone, Debug, PartialEq, Subcommand)]
+pub enum Command {
+    /// Fly a scene: emulate the sensors, navigate, compare (the default command)
+    Run(RunArgs),
+    /// Write the sensors' stream of a scene
+    Emulate(EmulateArgs),
+    /// Navigate a recorded stream
+    Replay(ReplayArgs),
+    /// List the built-in scenes
+    #[command(after_help = "Example:\n  schuler scenes")]
+    Scenes,
+}
+
+/// Options of `run`.
+#[derive(Args, Clone, Debug, Default, PartialEq)]
+#[command(
+    after_help = "Example:\n  schuler run manoeuvre --duration 20 --window 2,4,2 --out out/turns"
+)]
+pub struct RunArgs {
+    /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
+    pub scene: Option<String>,
+    /// Folder for summary.json, drift.csv, drift.png and report.html [default: out/<scene>]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    #[expect(missing_docs, reason = "a comment here would become the help's")]
+    pub flight: FlightOptions,
+    #[command(flatten)]
+    #[expect(missing_docs, reason = "a comment here would become the help's")]
+    pub navigator: NavigatorOptions,
+    /// Skip nothing, even what the scene does not need
+    #[arg(long)]
+    pub force_all: bool,
+    /// Write no report.html and no drift.png
+    #[arg(long)]
+    pub no_report: bool,
+}
+
+impl RunArgs {
+    /// The scene, with every option applied.
+    pub fn scene(&self) -> Result<Scene, InputError> {
+        let mut scene = load(self.scene.as_deref())?;
+        self.flight.apply(&mut scene)?;
+        self.navigator.apply(&mut scene.navigator);
+        Ok(scene)
+    }
+}
+
+/// Options of `emulate`.
+#[derive(Args, Clone, Debug, PartialEq)]
+#[command(after_help = "Example:\n  schuler emulate hard --out imu.csv --perfect")]
+pub struct EmulateArgs {
+    /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
+    pub scene: Option<String>,
+    /// The file to write
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Without the scene's sensor errors
+    #[arg(long)]
+    pub perfect: bool,
+    /// Instantaneous rates instead of increments
+    #[arg(long)]
+    pub rates: bool,
+    #[command(flatten)]
+    #[expect(missing_docs, reason = "a comment here would become the help's")]
+    pub flight: FlightOptions,
+}
+
+impl EmulateArgs {
+    /// The scene, with every option applied.
+    pub fn scene(&self) -> Result<Scene, InputError> {
+        let mut scene = load(self.scene.as_deref())?;
+        self.flight.apply(&mut scene)?;
+        if self.perfect {
+            scene.gyro = Default::default();
+            scene.accelerometer = Default::default();
+        }
+        Ok(scene)
+    }
+}
+
+/// Options of `replay`.
+#[derive(Args, Clone, Debug, PartialEq)]
+#[command(after_help = "Examples:\n  \
+    schuler replay --imu imu.csv --initial initial.toml --out nav.csv\n  \
+    schuler replay --imu car.imu --start 540 --align 120 --until 960 --out nav.csv")]
+pub struct ReplayArgs {
+    /// The stream: an imu.csv of increments or rates, or a PSINS .imu
+    #[arg(long, value_name = "FILE")]
+    pub imu: PathBuf,
+    /// The state to start from, a TOML file with the columns of nav.csv as keys; a PSINS .imu brings its own
+    #[arg(long, value_name = "FILE")]
+    pub initial: Option<PathBuf>,
+    /// The file to write
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Skip to this time of the recording
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::time_s)]
+    pub start: Option<f64>,
+    /// First stand still this long to find level and north
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::length_s)]
+    pub align: Option<f64>,
+    /// End at this time of the recording
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::time_s)]
+    pub until: Option<f64>,
+    /// What missing samples do
+    #[arg(long, value_name = "G", value_parser = options::named(Gap::NAMES))]
+    pub gap: Option<Gap>,
+    #[command(flatten)]
+    #[expect(missing_docs, reason = "a comment here would become the help's")]
+    pub navigator: NavigatorOptions,
+}
+
+impl ReplayArgs {
+    /// What no option alone can get wrong: an end before the start.
+    pub fn check(&self) -> Result<(), InputError> {
+        let (Some(start), Some(until)) = (self.start, self.until) else { return Ok(()) };
+        let begin = start + self.align.unwrap_or(0.0);
+        if until > begin {
+            return Ok(());
+        }
+        let what = format!("{until} s is not after navigation starts");
+        Err(InputError::option("--until", Complaint::new(what, format!("seconds, above {begin}"))))
+    }
+}
+
+fn load(name: Option<&str>) -> Result<Scene, InputError> {
+    crate::scene::load(name.unwrap_or(builtin::DEFAULT))
+}

@@ -1,0 +1,30 @@
+//! `schuler emulate`: the sensors' stream of a scene as a file.
+
+use crate::cli::EmulateArgs;
+use crate::progress::Progress;
+use crate::recording::csv::ImuWriter;
+use crate::simulate::FlightError;
+use crate::source::Source;
+
+/// Writes the stream; what is lost on the link is missing in the file.
+pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
+    let scene = args.scene()?;
+    let source = Source::new(&scene, false)?;
+    let mut stream = source.start(0);
+    let progress = Progress::new(scene.samples());
+    let create = if args.rates { ImuWriter::rates } else { ImuWriter::increments };
+    let mut writer = create(&args.out)?;
+    for sample in 1..=scene.samples() {
+        let time_s = source.time_s(sample);
+        if args.rates {
+            writer.rate(time_s, &stream.next_rates())?;
+        } else if let Some(increment) = stream.advance() {
+            writer.increment(time_s, &increment)?;
+        }
+        progress.reach(sample);
+    }
+    progress.finish();
+    writer.finish()?;
+    println!("{} samples written to {}", scene.samples(), args.out.display());
+    Ok(())
+}

@@ -1,0 +1,91 @@
+//! The result of a run: what the summary and the report are made of.
+
+use crate::scene::{Scene, WindowShape};
+
+/// Nine numbers about one instant: position, velocity and attitude in north, east, down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Nine {
+    /// m.
+    pub position_m: [f64; 3],
+    /// m/s.
+    pub velocity_m_s: [f64; 3],
+    /// Rotation vector, arcsec.
+    pub attitude_arcsec: [f64; 3],
+}
+
+/// One instant of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Instant {
+    /// End of the sample, s.
+    pub time_s: f64,
+    /// Computed minus true.
+    pub drift: Nine,
+    /// What the linear error model expects of it on average.
+    pub mean: Nine,
+    /// Its standard deviation by the linear error model.
+    pub sigma: Nine,
+    /// True latitude and longitude in degrees, altitude in m.
+    pub position: [f64; 3],
+    /// True roll, pitch, yaw, degrees.
+    pub attitude_deg: [f64; 3],
+}
+
+/// Work that a run did not have to do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Skipped {
+    /// What was skipped.
+    pub what: String,
+    /// Why it could be.
+    pub why: String,
+    /// What it saved, measured: for people, with its unit.
+    pub saved: String,
+}
+
+/// Extremes of the drift.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extremes {
+    /// The largest magnitude of each component, over every sample.
+    pub components: Nine,
+    /// The largest norms of position (m), velocity (m/s), attitude (arcsec).
+    pub norms: [f64; 3],
+}
+
+/// Nanoseconds per sample of each stage alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StageTimes {
+    /// Truth and perfect increments.
+    pub trajectory_ns: f64,
+    /// Sensor errors.
+    pub emulate_ns: f64,
+    /// Navigation at block ends, no row read.
+    pub navigate_ns: f64,
+}
+
+/// A finished run.
+#[derive(Clone, Debug)]
+pub struct Flight {
+    /// The scene as flown, with every override applied.
+    pub scene: Scene,
+    /// Samples navigated.
+    pub samples: u64,
+    /// The window flown; `None` for textbook.
+    pub window: Option<WindowShape>,
+    /// What was skipped.
+    pub skipped: Vec<Skipped>,
+    /// Digest of every state, hex.
+    pub digest: String,
+    /// The last instant.
+    pub last: Instant,
+    /// Extremes over every sample.
+    pub max: Extremes,
+    /// Instants spread evenly over the run, first and last included, for curves (a few thousand).
+    pub overview: Vec<Instant>,
+    /// Instants of the first minute, for the enlarged view (at most a few thousand).
+    pub first_minute: Vec<Instant>,
+    /// Samples in which a sensor was at its limit.
+    pub saturated: u64,
+    /// Samples lost on the link.
+    pub lost: u64,
+    /// Stage times; absent when not measured.
+    pub time: Option<StageTimes>,
+}

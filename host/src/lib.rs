@@ -1,0 +1,21 @@
+//! Flies scenes through the `schuler` core: truth, sensors, navigation, drift against theory.
+
+pub mod cli;
+pub mod emulate;
+pub mod emulator;
+pub mod flight;
+pub mod gap;
+pub mod input;
+pub mod navigator;
+pub mod output;
+pub mod plan;
+pub mod progress;
+pub mod recording;
+pub mod replay;
+pub mod report;
+pub mod run;
+pub mod scene;
+pub mod simulate;
+pub mod source;
+pub mod theory;
+pub mod units;

@@ -1,0 +1,31 @@
+//! The `schuler` command. Exit codes: 0 done, 1 a check failed, 2 bad usage or input.
+
+use clap::Parser;
+use schuler_host::cli::{Cli, Command};
+use schuler_host::simulate::FlightError;
+use schuler_host::{emulate, replay, run, scene};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().command() {
+        Command::Run(args) => run::run(&args),
+        Command::Emulate(args) => emulate::emulate(&args),
+        Command::Replay(args) => replay::replay(&args).map_err(FlightError::from),
+        Command::Scenes => {
+            for (name, title) in scene::builtin::names() {
+                println!("{name:14} {title}");
+            }
+            Ok(())
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("schuler: {error}");
+            match error {
+                FlightError::Input(_) => ExitCode::from(2),
+                FlightError::Lost { .. } | FlightError::Rejected { .. } => ExitCode::from(1),
+            }
+        }
+    }
+}

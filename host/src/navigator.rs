@@ -1,0 +1,196 @@
+//! The core's navigators behind one face: frame, precision, algorithm and window chosen at run time.
+
+use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
+use schuler::digest::Digest;
+use schuler::math::compensated::Pair;
+use schuler::math::real::Scalar;
+use schuler::record::Record;
+use schuler::sample::Increment;
+use schuler::sensor::carried::Carried;
+use schuler::solution::Solution;
+use schuler::strapdown::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::Output;
+use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
+use schuler::strapdown::navigator::Strapdown;
+use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
+use schuler::strapdown::window::{self, NAMED, Window as _};
+
+/// Who reads rows: how many samples lie behind the row, and the navigation there.
+pub type Reader<'a> = dyn FnMut(u64, &Solution<f64>) + 'a;
+
+/// A navigator in flight. Samples come in double precision and are narrowed with a carried rest.
+pub trait Navigate {
+    /// Takes a sample, and reads the rows that it completes.
+    fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected>;
+    /// Completes the rows that wait for samples.
+    fn finish(&mut self, read: &mut Reader);
+    /// Sets height and vertical velocity at the end of the last block.
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64);
+    /// Samples integrated so far.
+    fn integrated(&self) -> u64;
+    /// Digest of every state so far.
+    fn digest(&self) -> u64;
+    /// Flies samples from the start again without reading a row: what a stage costs.
+    fn fly_unread(&self, samples: &[Increment<f64>]) -> Box<dyn FnMut() + '_>;
+}
+
+/// One of the core's mechanizations with its state.
+struct Flying<M: Mechanization> {
+    mechanization: M,
+    initial: Solution<M::Real>,
+    state: M::State,
+    carried: Carried,
+    digest: Digest,
+}
+
+impl<M> Flying<M>
+where
+    M: Mechanization<Real: Scalar, Frame: Record> + 'static,
+{
+    fn boxed(mechanization: M, initial: &Solution<f64>) -> Result<Box<dyn Navigate>, StartError> {
+        let initial = Solution::narrow(initial);
+        let state = mechanization.start(&initial)?;
+        let (carried, digest) = Default::default();
+        Ok(Box::new(Self { mechanization, initial, state, carried, digest }))
+    }
+}
+
+impl<M> Navigate for Flying<M>
+where
+    M: Mechanization<Real: Scalar, Frame: Record> + 'static,
+{
+    fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected> {
+        let sample = self.carried.narrow(sample);
+        let before = M::integrated(&self.state);
+        self.mechanization.push_rows(&mut self.state, sample, |n, row| read(n, &row.wide()))?;
+        if M::integrated(&self.state) != before {
+            self.digest.add(M::frame(&self.state));
+        }
+        Ok(())
+    }
+
+    fn finish(&mut self, read: &mut Reader) {
+        self.mechanization.finish_rows(&mut self.state, |n, row| read(n, &row.wide()));
+        self.digest.add(M::frame(&self.state));
+    }
+
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) {
+        let narrow = |x| M::Real::narrow(x);
+        self.mechanization.hold_vertical(&mut self.state, narrow(altitude_m), narrow(down_m_s));
+    }
+
+    fn integrated(&self) -> u64 {
+        M::integrated(&self.state)
+    }
+
+    fn digest(&self) -> u64 {
+        self.digest.value()
+    }
+
+    fn fly_unread(&self, samples: &[Increment<f64>]) -> Box<dyn FnMut() + '_> {
+        let mut carried = Carried::default();
+        let samples: Vec<_> = samples.iter().map(|s| carried.narrow::<M::Real>(s)).collect();
+        Box::new(move || {
+            if let Ok(mut state) = self.mechanization.start(&self.initial) {
+                for &sample in &samples {
+                    // What cannot be right was refused in the run itself.
+                    let _ = self.mechanization.push(&mut state, sample);
+                }
+                std::hint::black_box(&state);
+            }
+        })
+    }
+}
+
+/// What a scene or an option asked for, and is not to be had.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unavailable {
+    /// No window of this shape.
+    Window(WindowShape),
+    /// The core refuses to start.
+    Start(StartError),
+}
+
+impl std::fmt::Display for Unavailable {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Window(WindowShape { history, block, lookahead }) => {
+                write!(f, "there is no window {history},{block},{lookahead}; accepted: auto")?;
+                NAMED.iter().try_for_each(|(h, b, a)| write!(f, ", {h},{b},{a}"))
+            }
+            Self::Start(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Unavailable {}
+
+impl From<StartError> for Unavailable {
+    fn from(error: StartError) -> Self {
+        Self::Start(error)
+    }
+}
+
+/// Starts the navigator that is asked for, with the window that is given.
+pub fn start(
+    navigator: &Navigator,
+    shape: WindowShape,
+    interval_s: Pair<f64>,
+    initial: &Solution<f64>,
+) -> Result<Box<dyn Navigate>, Unavailable> {
+    let single = Pair::narrow(interval_s);
+    let boxed = match (navigator.algorithm, navigator.precision, navigator.frame) {
+        (Algorithm::Textbook, Precision::F64, Frame::LocalLevel) => {
+            Flying::boxed(Textbook::<LocalLevelTextbook<f64>>::new(interval_s.hi)?, initial)?
+        }
+        (Algorithm::Textbook, Precision::F64, Frame::EarthFixed) => {
+            Flying::boxed(Textbook::<EarthFixedTextbook<f64>>::new(interval_s.hi)?, initial)?
+        }
+        (Algorithm::Textbook, Precision::F32, Frame::LocalLevel) => {
+            Flying::boxed(Textbook::<LocalLevelTextbook<f32>>::new(single.hi)?, initial)?
+        }
+        (Algorithm::Textbook, Precision::F32, Frame::EarthFixed) => {
+            Flying::boxed(Textbook::<EarthFixedTextbook<f32>>::new(single.hi)?, initial)?
+        }
+        (Algorithm::Taylor, Precision::F64, Frame::LocalLevel) => {
+            taylor::<LocalLevel<Pair<f64>>>(shape, interval_s, initial)?
+        }
+        (Algorithm::Taylor, Precision::F64, Frame::EarthFixed) => {
+            taylor::<EarthFixed<Pair<f64>>>(shape, interval_s, initial)?
+        }
+        (Algorithm::Taylor, Precision::F32, Frame::LocalLevel) => {
+            taylor::<LocalLevel<Pair<f32>>>(shape, single, initial)?
+        }
+        (Algorithm::Taylor, Precision::F32, Frame::EarthFixed) => {
+            taylor::<EarthFixed<Pair<f32>>>(shape, single, initial)?
+        }
+    };
+    Ok(boxed)
+}
+
+/// A taylor navigator in a frame, with one of the named windows.
+fn taylor<F>(
+    shape: WindowShape,
+    interval_s: Pair<F::Real>,
+    initial: &Solution<f64>,
+) -> Result<Box<dyn Navigate>, Unavailable>
+where
+    F: schuler::strapdown::frame::Frame<Real: Scalar> + Record + 'static,
+{
+    macro_rules! choose {
+        ($($name:ident),+) => {{
+            $(
+                type $name = window::$name;
+                let shapes = ($name::HISTORY, $name::BLOCK, $name::LOOKAHEAD);
+                if shapes == (shape.history, shape.block, shape.lookahead) {
+                    return Ok(Flying::boxed(Strapdown::<F, $name>::new(interval_s)?, initial)?);
+                }
+            )+
+        }};
+    }
+    choose!(
+        H0B2A0, H0B3A0, H0B4A0, H0B6A0, H2B2A0, H2B2A2, H2B4A0, H4B4A0, H2B4A2, H4B4A4, Line8, Line20
+    );
+    Err(Unavailable::Window(shape))
+}

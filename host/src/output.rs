@@ -1,0 +1,146 @@
+//! Files written in full or not at all.
+
+use crate::input::{Complaint, InputError};
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// A file that takes its name when it is finished; dropped before, it leaves nothing behind.
+#[derive(Debug)]
+pub struct OutputFile {
+    path: PathBuf,
+    to: Target,
+}
+
+#[derive(Debug)]
+enum Target {
+    /// Beside the place where the file goes.
+    Aside(BufWriter<NamedTempFile>),
+    /// A pipe or a device, which cannot be replaced.
+    Direct(BufWriter<File>),
+}
+
+impl OutputFile {
+    /// To be at a path, whose missing folders are created.
+    pub fn create(path: impl AsRef<Path>) -> Result<Self, InputError> {
+        let path = path.as_ref().to_owned();
+        let open = || -> io::Result<Target> {
+            if path.is_dir() {
+                return Err(io::Error::other("it is a folder"));
+            }
+            if path.exists() && !path.is_file() {
+                let file = File::options().write(true).open(&path)?;
+                return Ok(Target::Direct(BufWriter::new(file)));
+            }
+            let folder = match path.parent() {
+                Some(folder) if folder != Path::new("") => folder,
+                _ => Path::new("."),
+            };
+            fs::create_dir_all(folder)?;
+            let mut builder = tempfile::Builder::new();
+            builder.prefix(".schuler-");
+            #[cfg(unix)]
+            {
+                use std::os::unix::fs::PermissionsExt;
+                // What the process's mask leaves of it, as for any new file.
+                builder.permissions(fs::Permissions::from_mode(0o666));
+            }
+            Ok(Target::Aside(BufWriter::with_capacity(1 << 16, builder.tempfile_in(folder)?)))
+        };
+        match open() {
+            Ok(to) => Ok(Self { path, to }),
+            Err(error) => Err(fault(&path, &error)),
+        }
+    }
+
+    /// Where it goes.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Puts the file in its place.
+    pub fn finish(self) -> Result<(), InputError> {
+        let Self { path, to } = self;
+        let done = match to {
+            Target::Direct(mut writer) => writer.flush(),
+            Target::Aside(writer) => writer
+                .into_inner()
+                .map_err(io::IntoInnerError::into_error)
+                .and_then(|file| file.persist(&path).map(drop).map_err(|e| e.error)),
+        };
+        done.map_err(|error| fault(&path, &error))
+    }
+}
+
+impl Write for OutputFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.to {
+            Target::Aside(writer) => writer.write(bytes),
+            Target::Direct(writer) => writer.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.to {
+            Target::Aside(writer) => writer.flush(),
+            Target::Direct(writer) => writer.flush(),
+        }
+    }
+}
+
+/// Writes a whole file at once.
+pub fn write(path: impl AsRef<Path>, content: impl AsRef<[u8]>) -> Result<(), InputError> {
+    let mut file = OutputFile::create(path)?;
+    file.write_all(content.as_ref()).map_err(|error| fault(&file.path, &error))?;
+    file.finish()
+}
+
+/// A CSV file of numbers, written row by row, each with the digits that bring back its bits.
+#[derive(Debug)]
+pub struct NumberTable {
+    file: OutputFile,
+    columns: usize,
+    line: Vec<u8>,
+}
+
+impl NumberTable {
+    /// With a header line.
+    pub fn create(path: impl AsRef<Path>, columns: &[&str]) -> Result<Self, InputError> {
+        let mut table =
+            Self { file: OutputFile::create(path)?, columns: columns.len(), line: Vec::new() };
+        table.line.extend_from_slice(columns.join(",").as_bytes());
+        table.end_line()?;
+        Ok(table)
+    }
+
+    /// One row, a number for each column.
+    pub fn row(&mut self, numbers: &[f64]) -> Result<(), InputError> {
+        debug_assert_eq!(numbers.len(), self.columns, "a number for each column");
+        let mut buffer = zmij::Buffer::new();
+        for (i, &number) in numbers.iter().enumerate() {
+            if i > 0 {
+                self.line.push(b',');
+            }
+            self.line.extend_from_slice(buffer.format(number).as_bytes());
+        }
+        self.end_line()
+    }
+
+    fn end_line(&mut self) -> Result<(), InputError> {
+        self.line.push(b'\n');
+        let written = self.file.write_all(&self.line);
+        self.line.clear();
+        written.map_err(|error| fault(&self.file.path, &error))
+    }
+
+    /// Puts the file in its place.
+    pub fn finish(self) -> Result<(), InputError> {
+        self.file.finish()
+    }
+}
+
+fn fault(path: &Path, error: &io::Error) -> InputError {
+    let complaint = Complaint::new(format!("cannot be written: {error}"), "");
+    InputError::file(&path.display().to_string(), complaint)
+}

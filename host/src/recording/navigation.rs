@@ -1,0 +1,132 @@
+//! `nav.csv` and `initial.toml`: a time, a position, a velocity and an attitude, in degrees.
+
+use crate::input::document::Document;
+use crate::input::{InputError, Range, read_text};
+use crate::output::NumberTable;
+use crate::scene::limits::ALTITUDE_M;
+use crate::units::DEGREE;
+use schuler::earth::Geodetic;
+use schuler::math::compensated::Pair;
+use schuler::math::real::Scalar;
+use schuler::math::vector::Vector;
+use schuler::solution::{Euler, Solution};
+use std::path::Path;
+
+/// Columns of `nav.csv`, keys of `initial.toml`.
+pub const COLUMNS: [&str; 10] = [
+    "time_s",
+    "latitude_deg",
+    "longitude_deg",
+    "altitude_m",
+    "north_m_s",
+    "east_m_s",
+    "down_m_s",
+    "roll_deg",
+    "pitch_deg",
+    "yaw_deg",
+];
+
+/// What a row of `nav.csv` says, in SI units.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct NavigationRow {
+    /// s.
+    pub time_s: f64,
+    /// Latitude and longitude in rad, altitude in m.
+    pub position: Geodetic<f64>,
+    /// Velocity relative to the Earth, m/s.
+    pub velocity_ned: Vector<f64>,
+    /// Roll, pitch, yaw, rad.
+    pub attitude: Euler<f64>,
+}
+
+impl NavigationRow {
+    /// A solution at a time, as it stands (a navigator folds its angles itself).
+    pub fn new<R: Scalar>(time_s: f64, solution: &Solution<R>) -> Self {
+        let whole = |pair: Pair<R>| pair.hi.widen() + pair.lo.widen();
+        let Euler { roll, pitch, yaw } = Euler::of_quaternion(solution.attitude.map(whole));
+        Self {
+            time_s,
+            position: solution.position.map(whole),
+            velocity_ned: solution.velocity_ned.map(whole),
+            attitude: Euler { roll, pitch, yaw },
+        }
+    }
+
+    /// The solution that a navigator starts from.
+    pub fn solution(&self) -> Solution<f64> {
+        Solution::new(self.position, self.velocity_ned, self.attitude)
+    }
+
+    /// From an `initial.toml`: every key of [`COLUMNS`], each once.
+    pub fn read(file: &str) -> Result<Self, InputError> {
+        Self::parse(file, &read_text(file)?)
+    }
+
+    /// From the text of an `initial.toml`; `file` names it in errors.
+    pub fn parse(file: &str, text: &str) -> Result<Self, InputError> {
+        let latitude = Range::from_to(-90.0, 90.0, "degrees, from -90 to 90");
+        let angle = Range::from_to(-360.0, 360.0, "degrees, from -360 to 360");
+        let speed = Range::from_to(-1e5, 1e5, "m/s, from -1e5 to 1e5");
+        let document = Document::parse(file, text)?;
+        let root = document.root(&COLUMNS)?;
+        let angle = |key| Ok(root.number(key, &angle)? * DEGREE);
+        Ok(Self {
+            time_s: root.number("time_s", &Range::FINITE)?,
+            position: Geodetic {
+                latitude: root.number("latitude_deg", &latitude)? * DEGREE,
+                longitude: angle("longitude_deg")?,
+                altitude: root.number("altitude_m", &ALTITUDE_M)?,
+            },
+            velocity_ned: Vector::new(
+                root.number("north_m_s", &speed)?,
+                root.number("east_m_s", &speed)?,
+                root.number("down_m_s", &speed)?,
+            ),
+            attitude: Euler {
+                roll: angle("roll_deg")?,
+                pitch: angle("pitch_deg")?,
+                yaw: angle("yaw_deg")?,
+            },
+        })
+    }
+
+    fn columns(&self) -> [f64; COLUMNS.len()] {
+        let Self { time_s, position, velocity_ned: v, attitude } = self;
+        let degrees = |rad: f64| rad / DEGREE;
+        [
+            *time_s,
+            degrees(position.latitude),
+            degrees(position.longitude),
+            position.altitude,
+            v.x,
+            v.y,
+            v.z,
+            degrees(attitude.roll),
+            degrees(attitude.pitch),
+            degrees(attitude.yaw),
+        ]
+    }
+}
+
+/// Writes a `nav.csv`.
+#[derive(Debug)]
+pub struct NavigationWriter {
+    table: NumberTable,
+}
+
+impl NavigationWriter {
+    /// With its header.
+    pub fn create(path: impl AsRef<Path>) -> Result<Self, InputError> {
+        Ok(Self { table: NumberTable::create(path, &COLUMNS)? })
+    }
+
+    /// The next row.
+    pub fn row(&mut self, row: &NavigationRow) -> Result<(), InputError> {
+        self.table.row(&row.columns())
+    }
+
+    /// Puts the file in its place.
+    pub fn finish(self) -> Result<(), InputError> {
+        self.table.finish()
+    }
+}

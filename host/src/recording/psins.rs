@@ -1,0 +1,126 @@
+//! The PSINS toolbox's text format `.imu`: three lines of settings, then counts of Δθ and Δv.
+//!
+//! Lines that start with `%` are comments. The settings are
+//! 1. pitch, roll, yaw (degrees, yaw positive to the west), velocity east, north, up (m/s);
+//! 2. latitude, longitude (degrees), height (m), start (s), sample interval (ms), g (m/s²);
+//! 3. per count: arcsec of the three gyros, µg·s of the three accelerometers, µg of the file's own g.
+//!
+//! Axes are right, forward, up. The n-th sample ends n intervals after the start.
+
+use super::{Recording, Sample, navigation::NavigationRow};
+use crate::input::{Complaint, InputError, Range};
+use crate::scene::limits::ALTITUDE_M;
+use crate::units::{ARCSECOND, DEGREE};
+use schuler::earth::Geodetic;
+use schuler::math::vector::Vector;
+use schuler::sample::Increment;
+use schuler::solution::Euler;
+
+type Columns = [(&'static str, Range); 6];
+
+const ANGLE: Range = Range::from_to(-360.0, 360.0, "degrees, from -360 to 360");
+const SPEED: Range = Range::from_to(-1e5, 1e5, "m/s, from -1e5 to 1e5");
+const COUNTS: Range = Range { accepted: "counts", ..Range::FINITE };
+
+const ATTITUDE_AND_VELOCITY: Columns = [
+    ("pitch", ANGLE),
+    ("roll", ANGLE),
+    ("yaw", ANGLE),
+    ("velocity_east", SPEED),
+    ("velocity_north", SPEED),
+    ("velocity_up", SPEED),
+];
+const POSITION_AND_TIME: Columns = [
+    ("latitude", Range::from_to(-90.0, 90.0, "degrees, from -90 to 90")),
+    ("longitude", ANGLE),
+    ("height", ALTITUDE_M),
+    ("start", Range { accepted: "seconds", ..Range::FINITE }),
+    ("interval", Range::above(0.0, 1000.0, "milliseconds, above 0 and at most 1000")),
+    ("g", Range::from_to(9.0, 10.0, "m/s², from 9 to 10")),
+];
+const SCALES: Columns = [
+    ("gyro_right", Range::POSITIVE),
+    ("gyro_forward", Range::POSITIVE),
+    ("gyro_up", Range::POSITIVE),
+    ("accelerometer_right", Range::POSITIVE),
+    ("accelerometer_forward", Range::POSITIVE),
+    ("accelerometer_up", Range::POSITIVE),
+];
+const SAMPLE: Columns = [
+    ("dtheta_right", COUNTS),
+    ("dtheta_forward", COUNTS),
+    ("dtheta_up", COUNTS),
+    ("dvel_right", COUNTS),
+    ("dvel_forward", COUNTS),
+    ("dvel_up", COUNTS),
+];
+
+/// A recording from a file's text; `file` names it in errors.
+pub fn parse(file: &str, text: &str) -> Result<Recording, InputError> {
+    let mut lines = text
+        .lines()
+        .zip(1u64..)
+        .filter(|(line, _)| !line.trim_start().starts_with('%') && !line.trim().is_empty());
+    let mut settings = |columns: &Columns| {
+        let (line, number) = lines.next().ok_or_else(|| {
+            let names = columns.map(|(name, _)| name).join(" ");
+            InputError::file(file, Complaint::new("ends within its settings", names))
+        })?;
+        numbers(file, number, line, columns)
+    };
+    let [pitch, roll, yaw, east, north, up] = settings(&ATTITUDE_AND_VELOCITY)?;
+    let [latitude, longitude, altitude, start_s, interval_ms, g] = settings(&POSITION_AND_TIME)?;
+    let [gx, gy, gz, ax, ay, az] = settings(&SCALES)?;
+
+    let position =
+        Geodetic { latitude: latitude * DEGREE, longitude: longitude * DEGREE, altitude };
+    let attitude = Euler { roll: roll * DEGREE, pitch: pitch * DEGREE, yaw: -yaw * DEGREE };
+    let velocity_ned = Vector::new(north, east, -up);
+    let initial = NavigationRow { time_s: start_s, position, velocity_ned, attitude };
+    let interval_s = interval_ms / 1000.0;
+    let micro_g = 1e-6 * g;
+
+    let mut samples = Vec::new();
+    for (line, number) in lines {
+        let [tx, ty, tz, vx, vy, vz] = numbers(file, number, line, &SAMPLE)?;
+        let increment = Increment {
+            angle_b: forward_right_down([tx * gx, ty * gy, tz * gz]) * ARCSECOND,
+            velocity_b: forward_right_down([vx * ax, vy * ay, vz * az]) * micro_g,
+        };
+        // One division, so that round times come out round.
+        let time_s = start_s + (samples.len() + 1) as f64 * interval_ms / 1000.0;
+        samples.push(Sample { time_s, line: number, increment });
+    }
+    Recording::new(file, samples, Some(interval_s), Some(initial))
+}
+
+fn forward_right_down([right, forward, up]: [f64; 3]) -> Vector<f64> {
+    Vector::new(forward, right, -up)
+}
+
+fn numbers(file: &str, number: u64, line: &str, columns: &Columns) -> Result<[f64; 6], InputError> {
+    let mut values = [0.0; 6];
+    let mut fields = line.split_ascii_whitespace();
+    for (value, (name, range)) in values.iter_mut().zip(columns) {
+        let Some(field) = fields.next() else {
+            let found = line.split_ascii_whitespace().count();
+            let names = columns.each_ref().map(|(name, _)| *name).join(" ");
+            let complaint =
+                Complaint::new(format!("the row has {found} values"), format!("6: {names}"));
+            return Err(InputError::line(file, number, complaint));
+        };
+        let parsed = field
+            .parse()
+            .map_err(|_| Complaint::new(format!("\"{field}\" is not a number"), range.accepted));
+        *value = parsed
+            .and_then(|x| range.check(x))
+            .map_err(|complaint| InputError::key(file, number, name, complaint))?;
+    }
+    match fields.count() {
+        0 => Ok(values),
+        more => {
+            let complaint = Complaint::new(format!("the row has {} values", 6 + more), "6");
+            Err(InputError::line(file, number, complaint))
+        }
+    }
+}

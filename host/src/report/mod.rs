@@ -1,0 +1,104 @@
+//! What a finished run leaves behind: the drift table, `summary.json`, `drift.csv`, `drift.png`
+//! and `report.html`.
+//!
+//! [`drift_charts`] and [`motion_charts`] say what is drawn; [`chart`] draws it on a [`canvas`],
+//! which is an [`svg`] or a [`raster`] image.
+
+pub mod axis;
+pub mod canvas;
+pub mod chart;
+pub mod decimate;
+pub mod drift_charts;
+pub mod drift_csv;
+pub mod figures;
+pub mod html;
+pub mod motion_charts;
+pub mod number;
+pub mod parameters;
+pub mod plot;
+pub mod raster;
+#[cfg(test)]
+mod sample;
+pub mod summary;
+pub mod svg;
+pub mod table;
+
+use crate::flight::{Flight, Nine};
+use std::fmt::{self, Display, Formatter};
+use std::io;
+use std::path::{Path, PathBuf};
+
+pub use drift_csv::DriftCsv;
+pub use table::table;
+
+/// A file that could not be written.
+#[derive(Debug)]
+pub struct WriteError {
+    /// Which.
+    pub path: PathBuf,
+    /// Why.
+    pub source: io::Error,
+}
+
+impl WriteError {
+    /// From its two halves.
+    pub fn new(path: &Path, source: io::Error) -> Self {
+        Self { path: path.to_owned(), source }
+    }
+}
+
+impl Display for WriteError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{} cannot be written: {}", self.path.display(), self.source)
+    }
+}
+
+impl std::error::Error for WriteError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.source)
+    }
+}
+
+/// Writes `summary.json`, `drift.png` and `report.html` into an existing directory. Without the
+/// two for people, call [`summary::write`].
+pub fn write(flight: &Flight, directory: &Path) -> Result<(), WriteError> {
+    summary::write(flight, directory)?;
+    plot::write(flight, directory)?;
+    html::write(flight, directory)
+}
+
+fn write_file(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    std::fs::write(path, bytes).map_err(|source| WriteError::new(path, source))
+}
+
+/// The run in one line: scene, length, navigator, seed.
+fn heading(flight: &Flight) -> String {
+    let scene = &flight.scene;
+    let navigator = &scene.navigator;
+    let window = flight.window.map(|w| format!(" H{}B{}A{}", w.history, w.block, w.lookahead));
+    format!(
+        "{} · {} s at {} Hz · {} {}{}, {} · seed {}",
+        scene.name,
+        number::parameter(flight.last.time_s),
+        number::parameter(scene.rate_hz),
+        navigator.precision.name(),
+        navigator.algorithm.name(),
+        window.unwrap_or_default(),
+        navigator.frame.name(),
+        scene.seed
+    )
+}
+
+fn norm(vector: [f64; 3]) -> f64 {
+    // Scaled, so that no square under- or overflows.
+    let scale = largest(vector);
+    if scale == 0.0 || !scale.is_finite() {
+        return vector.iter().map(|x| x.abs()).sum();
+    }
+    scale * vector.iter().map(|x| (x / scale).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The largest magnitude; 0 of none.
+fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().map(f64::abs).fold(0.0, f64::max)
+}

@@ -1,0 +1,128 @@
+//! What a scene may ask for: the same limits for its file and for the command line.
+
+use super::build::HARMONICS;
+use super::{Channel, Scene, WindowShape};
+use crate::input::{Complaint, Range};
+use crate::units::DEGREE;
+use schuler::earth::SEMI_MAJOR_AXIS;
+
+/// Length of a scene, s.
+pub const DURATION_S: Range = Range::above(0.0, 1e9, "seconds, above 0 and at most 1e9");
+/// Samples per second: a sample is at most 1 s long.
+pub const RATE_HZ: Range = Range::from_to(1.0, 1e6, "samples per second, from 1 to 1e6");
+/// Probability of loss.
+pub const LOSS: Range =
+    Range::from_to(0.0, 1.0 - f64::EPSILON / 2.0, "a probability from 0 to below 1");
+/// Samples of one scene.
+pub const MAX_SAMPLES: u64 = u32::MAX as u64;
+/// Altitude, m.
+pub const ALTITUDE_M: Range =
+    Range::from_to(-10_000.0, 1_000_000.0, "metres, from -10000 to 1000000");
+/// The most samples that a window may span.
+pub const MAX_WINDOW: usize = 64;
+
+/// Angular rate of one attitude channel, rad/s.
+const MAX_ANGULAR_RATE: f64 = 1e5 * DEGREE;
+/// Acceleration along one channel, m/s².
+const MAX_ACCELERATION: f64 = 1e5;
+/// Speed along one channel, m/s.
+const MAX_SPEED: f64 = 1e5;
+
+/// What a window may be, for people; the navigator knows which of them it has.
+pub const WINDOW: &str = "\"auto\", or history, block and lookahead: samples, the block at least 1";
+
+/// A window's shape, from its numbers.
+pub fn window(history: u64, block: u64, lookahead: u64) -> Result<WindowShape, Complaint> {
+    let most = MAX_WINDOW as u64;
+    let spans = history.checked_add(block).and_then(|n| n.checked_add(lookahead));
+    if block == 0 {
+        Err(Complaint::new("the block is empty", WINDOW))
+    } else if spans.is_none_or(|n| n > most) {
+        Err(Complaint::new(format!("the window spans more than {most} samples"), WINDOW))
+    } else {
+        Ok(WindowShape {
+            history: history as usize,
+            block: block as usize,
+            lookahead: lookahead as usize,
+        })
+    }
+}
+
+impl Channel {
+    /// The largest magnitude of the n-th derivative (n > 0), at most.
+    fn derivative_bound(&self, n: i32) -> f64 {
+        let steady = if n == 1 { self.rate.abs() } else { 0.0 };
+        let oscillating =
+            self.harmonics.iter().map(|h| (h.amplitude * h.angular_rate.powi(n)).abs());
+        steady + oscillating.sum::<f64>()
+    }
+
+    /// The least and the greatest value within a time, at most.
+    fn extent(&self, duration_s: f64) -> [f64; 2] {
+        let swing: f64 = self.harmonics.iter().map(|h| h.amplitude.abs()).sum();
+        let travel = self.rate * duration_s;
+        [self.offset + travel.min(0.0) - swing, self.offset + travel.max(0.0) + swing]
+    }
+}
+
+/// NaN, from an overflow, is beyond every limit.
+fn exceeds(value: f64, most: f64) -> bool {
+    value.is_nan() || value > most
+}
+
+/// What no key alone can get wrong: the first such complaint, with the key to blame.
+pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
+    let blame = |key, what: String, accepted: String| Err((key, Complaint::new(what, accepted)));
+    let samples = scene.samples();
+    if samples == 0 || samples > MAX_SAMPLES {
+        return blame(
+            "duration_s",
+            format!("{} s at {} Hz are {samples} samples", scene.duration_s, scene.rate_hz),
+            format!("what gives from 1 to {MAX_SAMPLES} samples"),
+        );
+    }
+    let motion = &scene.trajectory;
+    let named = [
+        ("trajectory.roll_deg", &motion.roll),
+        ("trajectory.pitch_deg", &motion.pitch),
+        ("trajectory.yaw_deg", &motion.yaw),
+        ("trajectory.latitude_deg", &motion.latitude),
+        ("trajectory.longitude_deg", &motion.longitude),
+        ("trajectory.altitude_m", &motion.altitude),
+    ];
+    let harmonics: usize = named.iter().map(|(_, channel)| channel.harmonics.len()).sum();
+    if harmonics > HARMONICS {
+        let accepted = format!("at most {HARMONICS} over all channels");
+        return blame("trajectory", format!("has {harmonics} harmonics"), accepted);
+    }
+    for (key, channel) in &named[..3] {
+        if exceeds(channel.derivative_bound(1), MAX_ANGULAR_RATE) {
+            let accepted = "what turns by at most 1e5 degrees per second";
+            return blame(key, "turns too fast".to_owned(), accepted.to_owned());
+        }
+    }
+    for ((key, channel), arm) in named[3..].iter().zip([SEMI_MAJOR_AXIS, SEMI_MAJOR_AXIS, 1.0]) {
+        let acceleration = arm * channel.derivative_bound(2);
+        if exceeds(acceleration, MAX_ACCELERATION)
+            || exceeds(arm * channel.derivative_bound(1), MAX_SPEED)
+        {
+            let accepted = "what moves by at most 1e5 m/s and 1e5 m/s²";
+            return blame(key, "moves too fast".to_owned(), accepted.to_owned());
+        }
+    }
+    let extent = motion.altitude.extent(scene.duration_s);
+    for altitude in extent {
+        if let Err(mut complaint) = ALTITUDE_M.check(altitude) {
+            complaint.what = format!("may reach {altitude} m, which is out of range");
+            return Err(("trajectory.altitude_m", complaint));
+        }
+    }
+    if scene.link.jitter_s * scene.rate_hz >= 1.0 {
+        return blame(
+            "link.jitter_s",
+            format!("{} s is not less than a sample", scene.link.jitter_s),
+            format!("seconds, from 0 to below {}", 1.0 / scene.rate_hz),
+        );
+    }
+    Ok(())
+}

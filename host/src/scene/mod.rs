@@ -1,0 +1,257 @@
+//! A scene: what flies, what the sensors get wrong, how it is navigated. All in SI units.
+//!
+//! `parse` reads it from TOML, `builtin` holds the scenes that come with the program.
+
+pub mod build;
+pub mod builtin;
+pub mod limits;
+pub mod parse;
+
+use crate::input::document::did_you_mean;
+use crate::input::{Complaint, InputError, read_text};
+use schuler::trajectory::harmonic::Harmonic;
+use std::path::Path;
+
+/// Everything that one run needs to know.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// The built-in name, or the file's stem.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Length, s.
+    pub duration_s: f64,
+    /// Inertial samples per second.
+    pub rate_hz: f64,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// The true motion.
+    pub trajectory: Trajectory,
+    /// Gyro errors: rad, rad/s.
+    pub gyro: SensorErrors,
+    /// Accelerometer errors: m/s, m/s².
+    pub accelerometer: SensorErrors,
+    /// What the navigator's start is off by.
+    pub initial_error: InitialError,
+    /// How it is navigated.
+    pub navigator: Navigator,
+    /// What happens to samples on their way.
+    pub link: Link,
+}
+
+impl Scene {
+    /// How many samples the scene has: the whole ones within its duration.
+    pub fn samples(&self) -> u64 {
+        (self.duration_s * self.rate_hz * (1.0 + 1e-12)).floor() as u64
+    }
+}
+
+/// A built-in scene by its name, or the scene in a TOML file by its path.
+pub fn load(name_or_path: &str) -> Result<Scene, InputError> {
+    if let Some(scene) = builtin::scene(name_or_path) {
+        return Ok(scene);
+    }
+    let is_path = name_or_path.contains(['/', '\\', '.']) || Path::new(name_or_path).exists();
+    if !is_path {
+        let names: Vec<_> = builtin::names().map(|(name, _)| name).collect();
+        let hint = did_you_mean(name_or_path, &names);
+        let accepted = format!("{}, or the path of a TOML file", builtin::list());
+        let what = format!("there is no such scene{hint}");
+        return Err(InputError::option(name_or_path, Complaint::new(what, accepted)));
+    }
+    parse::scene(name_or_path, &read_text(name_or_path)?)
+}
+
+/// The six channels; angles in rad, altitude in m.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trajectory {
+    /// Roll γ.
+    pub roll: Channel,
+    /// Pitch θ.
+    pub pitch: Channel,
+    /// Yaw ψ.
+    pub yaw: Channel,
+    /// Latitude φ.
+    pub latitude: Channel,
+    /// Longitude λ.
+    pub longitude: Channel,
+    /// Altitude h.
+    pub altitude: Channel,
+}
+
+/// offset + rate·t + Σ harmonics.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Channel {
+    /// Mean value.
+    pub offset: f64,
+    /// Per second.
+    pub rate: f64,
+    /// Oscillations.
+    pub harmonics: Vec<Harmonic<f64>>,
+}
+
+/// The errors of three like sensors, a value per axis x, y, z; what is absent is perfect.
+///
+/// "Angle" below is the sensor's integral: rad for a gyro, m/s for an accelerometer.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SensorErrors {
+    /// Constant bias, angle/s.
+    pub constant: Option<[f64; 3]>,
+    /// Rms of a constant bias that is drawn for each run, angle/s.
+    pub turn_on: Option<[f64; 3]>,
+    /// First-order Gauss-Markov bias.
+    pub gauss_markov: Option<GaussMarkov>,
+    /// Angle or velocity random walk: white noise, angle/√s.
+    pub white: Option<[f64; 3]>,
+    /// Rate or acceleration random walk, angle/s/√s.
+    pub random_walk: Option<[f64; 3]>,
+    /// Bias instability B (flicker), angle/s.
+    pub bias_instability: Option<[f64; 3]>,
+    /// Relative scale factor error; positive reads too much.
+    pub scale_factor: Option<[f64; 3]>,
+    /// Small rotation of the sensor triad, rad.
+    pub misalignment: Option<[f64; 3]>,
+    /// Gyro only: rad/s per m/s² along the same axis.
+    pub g_sensitivity: Option<[f64; 3]>,
+    /// Least significant bit of the increments, angle.
+    pub quantization: Option<[f64; 3]>,
+    /// Largest output, angle/s.
+    pub saturation: Option<[f64; 3]>,
+}
+
+/// A first-order Gauss-Markov process.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GaussMarkov {
+    /// Rms, angle/s.
+    pub rms: [f64; 3],
+    /// Correlation time, s.
+    pub correlation_s: [f64; 3],
+}
+
+/// The navigator's start less the truth.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InitialError {
+    /// North, east, down, m.
+    pub position_m: [f64; 3],
+    /// North, east, down, m/s.
+    pub velocity_m_s: [f64; 3],
+    /// Rotation vector from the true to the computed body frame, in north, east, down, rad.
+    pub attitude_rad: [f64; 3],
+}
+
+/// How a scene is navigated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Navigator {
+    /// Axes of the mechanization.
+    pub frame: Frame,
+    /// Arithmetic of the navigator.
+    pub precision: Precision,
+    /// Integration method.
+    pub algorithm: Algorithm,
+    /// Window of the taylor algorithm; `None` leaves it to the plan ("auto").
+    pub window: Option<WindowShape>,
+    /// The vertical channel.
+    pub vertical: Vertical,
+    /// What a missing sample does.
+    pub gap: Gap,
+}
+
+/// Axes of the mechanization.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Frame {
+    /// North, east, down at the vehicle: "local-level".
+    LocalLevel,
+    /// Axes that turn with the Earth: "earth-fixed".
+    EarthFixed,
+}
+
+/// Arithmetic of the navigator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Double, compensated sums: "f64".
+    F64,
+    /// Single, compensated sums: "f32".
+    F32,
+}
+
+/// Integration method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Algorithm {
+    /// Windows of samples, a Taylor series about the block's centre: "taylor".
+    Taylor,
+    /// Single plus previous sample: "textbook".
+    Textbook,
+}
+
+/// A window's samples: history, block, look-ahead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WindowShape {
+    /// Samples before the block.
+    pub history: usize,
+    /// Samples integrated at once.
+    pub block: usize,
+    /// Samples after the block.
+    pub lookahead: usize,
+}
+
+/// The vertical channel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Vertical {
+    /// It runs free: "free".
+    Free,
+    /// Height and vertical velocity from truth: "held".
+    Held,
+}
+
+/// What a missing sample does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gap {
+    /// The run ends with an error: "error".
+    Error,
+    /// The gap is filled from its neighbours: "bridge".
+    Bridge,
+}
+
+/// What happens to samples on their way.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Link {
+    /// Probability that a sample is lost.
+    pub loss: f64,
+    /// Rms of the sampling instants about their nominal times, s.
+    pub jitter_s: f64,
+}
+
+macro_rules! names {
+    ($type:ident: $($variant:ident = $name:literal),+) => {
+        impl $type {
+            /// Every name that a scene or an option may give, with its meaning.
+            pub const NAMES: &'static [(&'static str, Self)] = &[$(($name, Self::$variant)),+];
+
+            /// The name in scenes, options and summaries.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name),+
+                }
+            }
+        }
+    };
+}
+
+names!(Frame: LocalLevel = "local-level", EarthFixed = "earth-fixed");
+names!(Precision: F64 = "f64", F32 = "f32");
+names!(Algorithm: Taylor = "taylor", Textbook = "textbook");
+names!(Vertical: Free = "free", Held = "held");
+names!(Gap: Error = "error", Bridge = "bridge");
+
+impl Default for Navigator {
+    fn default() -> Self {
+        Self {
+            frame: Frame::LocalLevel,
+            precision: Precision::F64,
+            algorithm: Algorithm::Taylor,
+            window: None,
+            vertical: Vertical::Free,
+            gap: Gap::Error,
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Scenes from TOML: keys, defaults and limits. Units are turned into SI here and nowhere else.
+
+mod sensors;
+mod trajectory;
+
+use super::{
+    Algorithm, Frame, Gap, InitialError, Link, Navigator, Precision, Scene, Vertical, WindowShape,
+    limits,
+};
+use crate::input::document::{Document, Section, Value};
+use crate::input::{Complaint, InputError, Range};
+use crate::units::ARCSECOND;
+use std::path::Path;
+
+const KEYS: &[&str] = &[
+    "title",
+    "duration_s",
+    "rate_hz",
+    "seed",
+    "trajectory",
+    "gyro",
+    "accelerometer",
+    "initial_error",
+    "navigator",
+    "link",
+];
+const NAVIGATOR: &[&str] = &["frame", "precision", "algorithm", "window", "vertical", "gap"];
+const WINDOW: &[&str] = &["history", "block", "lookahead"];
+const LINK: &[&str] = &["loss", "jitter_s"];
+const INITIAL_ERROR: &[&str] = &[
+    "north_m",
+    "east_m",
+    "down_m",
+    "north_m_s",
+    "east_m_s",
+    "down_m_s",
+    "roll_arcsec",
+    "pitch_arcsec",
+    "yaw_arcsec",
+];
+
+/// A scene from its text; `file` names it in errors, and its stem is the scene's name.
+pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
+    let document = Document::parse(file, text)?;
+    let root = document.root(KEYS)?;
+    let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let title = root.get("title").map(|v| v.text("text")).transpose()?;
+    let scene = Scene {
+        title: title.unwrap_or(&name).to_owned(),
+        name,
+        duration_s: root.number("duration_s", &limits::DURATION_S)?,
+        rate_hz: root.number("rate_hz", &limits::RATE_HZ)?,
+        seed: root.get("seed").map_or(Ok(1), |v| v.integer(0, u64::MAX))?,
+        trajectory: trajectory::read(&root)?,
+        gyro: sensors::gyro(&root)?,
+        accelerometer: sensors::accelerometer(&root)?,
+        initial_error: initial_error(&root)?,
+        navigator: navigator(&root)?,
+        link: link(&root)?,
+    };
+    limits::check(&scene).map_err(|(key, complaint)| document.error(key, complaint))?;
+    Ok(scene)
+}
+
+fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
+    let Some(section) = root.section("initial_error", INITIAL_ERROR)? else {
+        return Ok(InitialError::default());
+    };
+    let get = |key: &str, unit: f64| Ok(section.number_or(key, 0.0, &Range::FINITE)? * unit);
+    let three = |keys: [&str; 3], unit| -> Result<[f64; 3], InputError> {
+        Ok([get(keys[0], unit)?, get(keys[1], unit)?, get(keys[2], unit)?])
+    };
+    Ok(InitialError {
+        position_m: three(["north_m", "east_m", "down_m"], 1.0)?,
+        velocity_m_s: three(["north_m_s", "east_m_s", "down_m_s"], 1.0)?,
+        attitude_rad: three(["roll_arcsec", "pitch_arcsec", "yaw_arcsec"], ARCSECOND)?,
+    })
+}
+
+fn navigator(root: &Section<'_>) -> Result<Navigator, InputError> {
+    let default = Navigator::default();
+    let Some(section) = root.section("navigator", NAVIGATOR)? else { return Ok(default) };
+    fn choice<T: Copy>(
+        section: &Section<'_>,
+        key: &str,
+        names: &[(&str, T)],
+        default: T,
+    ) -> Result<T, InputError> {
+        section.get(key).map_or(Ok(default), |value| value.choice(names))
+    }
+    Ok(Navigator {
+        frame: choice(&section, "frame", Frame::NAMES, default.frame)?,
+        precision: choice(&section, "precision", Precision::NAMES, default.precision)?,
+        algorithm: choice(&section, "algorithm", Algorithm::NAMES, default.algorithm)?,
+        window: section.get("window").map_or(Ok(None), |value| window(&value))?,
+        vertical: choice(&section, "vertical", Vertical::NAMES, default.vertical)?,
+        gap: choice(&section, "gap", Gap::NAMES, default.gap)?,
+    })
+}
+
+fn window(value: &Value<'_>) -> Result<Option<WindowShape>, InputError> {
+    if value.is_text() {
+        return value.choice(&[("auto", None)]);
+    }
+    if !value.is_table() {
+        let complaint = Complaint::new("is neither text nor a table", limits::WINDOW);
+        return Err(value.error(complaint));
+    }
+    let section = value.section(WINDOW)?;
+    let get =
+        |key| section.require(key, "a number of samples")?.integer(0, limits::MAX_WINDOW as u64);
+    let shape = limits::window(get("history")?, get("block")?, get("lookahead")?);
+    shape.map(Some).map_err(|complaint| value.error(complaint))
+}
+
+fn link(root: &Section<'_>) -> Result<Link, InputError> {
+    let Some(section) = root.section("link", LINK)? else { return Ok(Link::default()) };
+    Ok(Link {
+        loss: section.number_or("loss", 0.0, &limits::LOSS)?,
+        jitter_s: section.number_or("jitter_s", 0.0, &Range::NOT_NEGATIVE)?,
+    })
+}

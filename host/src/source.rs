@@ -1,0 +1,171 @@
+//! The stream of samples of a scene: true motion, perfect increments, sensor errors, link.
+
+use crate::emulator::{self, SceneEmulator};
+use crate::scene::Scene;
+use crate::scene::build::HARMONICS;
+use schuler::imu::{self, Quadrature};
+use schuler::noise::{Stream, Streams};
+use schuler::sample::{Increment, Rates};
+use schuler::sensor::ErrorTerm;
+use schuler::sensor::parameter::ParameterError;
+use schuler::sensor::triad::Triad;
+use schuler::solution::Solution;
+use schuler::trajectory::harmonic::{HarmonicTrajectory, TooManyHarmonics};
+use schuler::trajectory::{Motion, Trajectory};
+use std::fmt;
+
+/// The motion of a scene.
+pub type Course = HarmonicTrajectory<f64, HARMONICS>;
+type SensorState = <Triad<f64> as ErrorTerm<f64>>::State;
+type EmulatorState = schuler::sensor::emulator::EmulatorState<SensorState, SensorState>;
+
+/// A scene that the core cannot build.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SourceError {
+    /// Its motion.
+    Trajectory(TooManyHarmonics),
+    /// A sensor parameter.
+    Sensor(ParameterError),
+}
+
+impl fmt::Display for SourceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Trajectory(error) => error.fmt(f),
+            Self::Sensor(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for SourceError {}
+
+/// Truth and sensors of a scene.
+pub struct Source {
+    /// The motion.
+    pub course: Course,
+    /// The quadrature of its rates.
+    pub quadrature: Quadrature,
+    /// The sensors; `None` where they are perfect.
+    pub emulator: Option<SceneEmulator>,
+    rate_hz: f64,
+    seed: u64,
+    loss: f64,
+    jitter_s: f64,
+    /// The increment of every sample, where nothing changes.
+    constant: Option<Increment<f64>>,
+}
+
+impl Source {
+    /// Of a scene. `force_all` skips nothing: every evaluation is made, every term is asked.
+    pub fn new(scene: &Scene, force_all: bool) -> Result<Self, SourceError> {
+        let course = scene.trajectory.build().map_err(SourceError::Trajectory)?;
+        let interval_s = 1.0 / scene.rate_hz;
+        let bandwidth = course.bound().bandwidth;
+        let quadrature = if force_all {
+            Quadrature::FINEST
+        } else {
+            Quadrature::plan(bandwidth, interval_s)
+        };
+        let perfect = scene.gyro == Default::default() && scene.accelerometer == Default::default();
+        let emulator = if perfect && !force_all {
+            None
+        } else {
+            Some(emulator::build(scene).map_err(SourceError::Sensor)?)
+        };
+        let still = bandwidth == 0.0 && scene.link.jitter_s == 0.0 && !force_all;
+        let constant = still.then(|| quadrature.increment(&course, 0.0, interval_s));
+        Ok(Self {
+            course,
+            quadrature,
+            emulator,
+            rate_hz: scene.rate_hz,
+            seed: scene.seed,
+            loss: scene.link.loss,
+            jitter_s: scene.link.jitter_s,
+            constant,
+        })
+    }
+
+    /// Whether one increment serves for every sample.
+    pub fn is_constant(&self) -> bool {
+        self.constant.is_some()
+    }
+
+    /// Nominal end of a sample, s; the start of the run is that of sample 0.
+    pub fn time_s(&self, sample: u64) -> f64 {
+        sample as f64 / self.rate_hz
+    }
+
+    /// The true state at the end of a sample.
+    pub fn truth(&self, sample: u64) -> Solution<f64> {
+        self.motion(sample).solution()
+    }
+
+    /// The true motion at the end of a sample.
+    pub fn motion(&self, sample: u64) -> Motion<f64> {
+        self.course.at(self.time_s(sample))
+    }
+
+    /// The perfect increment between two times, s.
+    pub fn perfect(&self, from_s: f64, to_s: f64) -> Increment<f64> {
+        self.constant.unwrap_or_else(|| self.quadrature.increment(&self.course, from_s, to_s))
+    }
+
+    /// Starts the stream of one run.
+    pub fn start(&self, run: u64) -> Samples<'_> {
+        let link = Streams::new(self.seed, run).branch(Streams::LINK);
+        Samples {
+            source: self,
+            state: self.emulator.as_ref().map(|emulator| emulator.start(self.seed, run)),
+            loss: link.branch(0).open(),
+            jitter: link.branch(1).open(),
+            sample: 0,
+            end_s: 0.0,
+        }
+    }
+}
+
+/// The samples of one run, in order and without end.
+pub struct Samples<'a> {
+    source: &'a Source,
+    state: Option<EmulatorState>,
+    loss: Stream,
+    jitter: Stream,
+    sample: u64,
+    /// When the last sample's interval really ended, s.
+    end_s: f64,
+}
+
+impl Samples<'_> {
+    /// The next sample; `None` if the link lost it.
+    pub fn advance(&mut self) -> Option<Increment<f64>> {
+        let source = self.source;
+        let from_s = self.end_s;
+        self.sample += 1;
+        self.end_s = source.time_s(self.sample);
+        if source.jitter_s > 0.0 {
+            self.end_s += source.jitter_s * self.jitter.normal::<f64>();
+        }
+        let mut increment = source.perfect(from_s, self.end_s);
+        if let (Some(emulator), Some(state)) = (&source.emulator, &mut self.state) {
+            increment = emulator.emulate(state, &increment);
+        }
+        let lost = source.loss > 0.0 && self.loss.uniform::<f64>() < source.loss;
+        (!lost).then_some(increment)
+    }
+
+    /// The next sample as instantaneous rates at its end.
+    pub fn next_rates(&mut self) -> Rates<f64> {
+        self.sample += 1;
+        let rates = imu::rates(&self.source.motion(self.sample));
+        match (&self.source.emulator, &mut self.state) {
+            (Some(emulator), Some(state)) => emulator.emulate_rates(state, &rates),
+            _ => rates,
+        }
+    }
+
+    /// Samples so far in which a sensor was at its limit.
+    pub fn saturated(&self) -> u64 {
+        self.state.as_ref().map_or(0, |state| state.saturated)
+    }
+}

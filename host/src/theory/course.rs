@@ -1,0 +1,130 @@
+//! What a scene's theory is integrated along: the true motion, and the sources of error.
+
+use super::moments::Covariance;
+use super::sources::{Sources, unit};
+use crate::scene::build::HARMONICS;
+use crate::scene::{Scene, Vertical};
+use schuler::drift::compare::Drift;
+use schuler::drift::linear::{ErrorDynamics, ErrorState, MeridianShift};
+use schuler::imu;
+use schuler::math::vector::Vector;
+use schuler::sample::Rates;
+use schuler::trajectory::harmonic::{HarmonicTrajectory, TooManyHarmonics};
+use schuler::trajectory::{Motion, Trajectory};
+
+/// The longest step, s: 1/400 of Schuler's period over 2π, for a rule of fourth order.
+const LONGEST_STEP_S: f64 = 2.0;
+/// The largest turn of the body in a step, rad.
+const LARGEST_TURN: f64 = 0.2;
+
+/// A scene, as theory sees it.
+#[derive(Clone, Debug)]
+pub struct Course {
+    trajectory: HarmonicTrajectory<f64, HARMONICS>,
+    pub sources: Sources,
+    vertical_held: bool,
+    /// Whether there is a covariance at all.
+    pub random: bool,
+    /// Whether there is nothing to expect but zero.
+    pub quiet: bool,
+    /// The longest step that resolves the motion, s.
+    pub longest_step_s: f64,
+    /// The mean error at the start.
+    pub initial: ErrorState<f64>,
+}
+
+/// The motion and its error dynamics at one instant.
+#[derive(Clone, Copy, Debug)]
+pub struct Instant {
+    pub time_s: f64,
+    pub motion: Motion<f64>,
+    /// What the sensors should read.
+    pub rates: Rates<f64>,
+    pub dynamics: ErrorDynamics<f64>,
+}
+
+impl Course {
+    /// Of a scene.
+    pub fn new(scene: &Scene) -> Result<Self, TooManyHarmonics> {
+        let trajectory = scene.trajectory.build()?;
+        let sources = Sources::new(scene);
+        let initial = &scene.initial_error;
+        let mut drift = Drift {
+            position_ned: initial.position_m.into(),
+            velocity_ned: initial.velocity_m_s.into(),
+            attitude_ned: initial.attitude_rad.into(),
+        };
+        let vertical_held = scene.navigator.vertical == Vertical::Held;
+        if vertical_held {
+            (drift.position_ned.z, drift.velocity_ned.z) = (0.0, 0.0);
+        }
+        let horizontal = drift.position_ned.x.hypot(drift.position_ned.y);
+        let shift = MeridianShift::new(&trajectory.at(0.0), horizontal);
+        let (random, bound) = (sources.are_random(), trajectory.bound());
+        Ok(Self {
+            random,
+            quiet: !random && !sources.are_systematic() && drift == Drift::default(),
+            longest_step_s: LONGEST_STEP_S
+                .min(LARGEST_TURN / bound.angular_rate)
+                .min(bound.bandwidth.recip()),
+            initial: shift.error(&drift),
+            trajectory,
+            sources,
+            vertical_held,
+        })
+    }
+
+    /// At a time, s.
+    pub fn instant(&self, time_s: f64) -> Instant {
+        let motion = self.trajectory.at(time_s);
+        let rates = imu::rates(&motion);
+        let dynamics = ErrorDynamics::new(&motion, &rates, self.vertical_held);
+        Instant { time_s, motion, rates, dynamics }
+    }
+
+    /// Mean and covariance of the drift, from those of the error.
+    pub fn drift(
+        &self,
+        at: &Instant,
+        mean: &ErrorState<f64>,
+        covariance: &Covariance,
+    ) -> (Drift, Covariance) {
+        let Vector { x: north, y: east, .. } = mean.position;
+        let scatter = (covariance[0][0] + covariance[1][1]).max(0.0);
+        let horizontal = (north * north + east * east + scatter).sqrt();
+        let shift = MeridianShift::new(&at.motion, horizontal);
+        let drift = |x: &ErrorState<f64>| {
+            let mut drift = shift.drift(x);
+            if self.vertical_held {
+                (drift.position_ned.z, drift.velocity_ned.z) = (0.0, 0.0);
+            }
+            drift
+        };
+        let mean = drift(mean);
+        if !self.random {
+            return (mean, Covariance::default());
+        }
+        // The rounding of quantized increments: Q² G Gᵀ on top of P.
+        let mut total = *covariance;
+        for (sensor, q2) in self.sources.quantization.into_iter().enumerate() {
+            if q2 != 0.0 && at.time_s > 0.0 {
+                let direct = at.dynamics.drive(&unit(sensor)).into_array();
+                for (row, a) in total.iter_mut().zip(direct) {
+                    for (entry, b) in row.iter_mut().zip(direct) {
+                        *entry += q2 * a * b;
+                    }
+                }
+            }
+        }
+        // M P Mᵀ = M(M P)ᵀ: P is symmetric
+        let rows = total.map(|row| array(drift(&row.into())));
+        let columns = std::array::from_fn::<[f64; 9], 9, _>(|i| rows.map(|row| row[i]));
+        (mean, columns.map(|column| array(drift(&column.into()))))
+    }
+}
+
+/// Position, velocity, attitude; north, east, down of each.
+pub fn array(drift: Drift) -> [f64; 9] {
+    let Drift { position_ned: position, velocity_ned: velocity, attitude_ned: attitude } = drift;
+    ErrorState { position, velocity, attitude }.into_array()
+}

@@ -1,0 +1,119 @@
+//! A scene's sensor errors as the linear model takes them: a systematic part that moves the mean, and
+//! independent scalar processes that move the covariance.
+
+use crate::scene::{Scene, SensorErrors};
+use schuler::math::vector::Vector;
+use schuler::sample::Rates;
+use schuler::sensor::{Timing, flicker};
+
+/// The six sensors: gyros x, y, z, then accelerometers x, y, z.
+pub const SENSORS: usize = 6;
+
+/// A random bias b of one sensor: E[b²] = variance + walk·t, decaying as e^{−t/T}.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bias {
+    /// Which of the six sensors.
+    pub sensor: usize,
+    /// At the start, (angle/s)².
+    pub variance: f64,
+    /// Growth of the variance, (angle/s)²/s.
+    pub walk: f64,
+    /// T, s; infinite for a bias that stays.
+    pub correlation_s: f64,
+}
+
+/// All error sources of a scene.
+#[derive(Clone, Debug)]
+pub struct Sources {
+    gyro: SensorErrors,
+    accelerometer: SensorErrors,
+    /// Random biases, slowest first.
+    pub biases: Vec<Bias>,
+    /// N² of each sensor, angle²/s.
+    pub white: [f64; SENSORS],
+    /// Q² = step²/12 of each sensor, angle².
+    pub quantization: [f64; SENSORS],
+    /// τ₀, s.
+    pub sample_interval_s: f64,
+}
+
+impl Sources {
+    /// Of a scene.
+    pub fn new(scene: &Scene) -> Self {
+        let triads = [&scene.gyro, &scene.accelerometer];
+        let sample_interval_s = scene.rate_hz.recip();
+        let mut biases = Vec::new();
+        for (triad, errors) in triads.into_iter().enumerate() {
+            for axis in 0..3 {
+                let at = |values: Option<[f64; 3]>| values.map_or(0.0, |v| v[axis]);
+                let sensor = 3 * triad + axis;
+                let mut push = |rms: f64, walk: f64, correlation_s: f64| {
+                    if rms != 0.0 || walk != 0.0 {
+                        let (variance, walk) = (rms * rms, walk * walk);
+                        biases.push(Bias { sensor, variance, walk, correlation_s });
+                    }
+                };
+                push(at(errors.turn_on), at(errors.random_walk), f64::INFINITY);
+                if let Some(process) = errors.gauss_markov {
+                    push(process.rms[axis], 0.0, process.correlation_s[axis]);
+                }
+                if let Ok(timing) = Timing::new(sample_interval_s, scene.samples()) {
+                    for (correlation_s, rms) in flicker::poles(timing) {
+                        push(rms * at(errors.bias_instability), 0.0, correlation_s);
+                    }
+                }
+            }
+        }
+        biases.sort_by(|a, b| b.correlation_s.total_cmp(&a.correlation_s));
+        let squares = |of: fn(&SensorErrors) -> Option<[f64; 3]>| {
+            let values = triads.map(|errors| of(errors).unwrap_or_default());
+            std::array::from_fn(|i| values[i / 3][i % 3] * values[i / 3][i % 3])
+        };
+        Self {
+            gyro: scene.gyro.clone(),
+            accelerometer: scene.accelerometer.clone(),
+            biases,
+            white: squares(|errors| errors.white),
+            quantization: squares(|errors| errors.quantization).map(|step| step / 12.0),
+            sample_interval_s,
+        }
+    }
+
+    /// Whether anything is random.
+    pub fn are_random(&self) -> bool {
+        !self.biases.is_empty() || [self.white, self.quantization] != [[0.0; SENSORS]; 2]
+    }
+
+    /// Whether anything is systematic.
+    pub fn are_systematic(&self) -> bool {
+        [&self.gyro, &self.accelerometer].into_iter().any(|errors| {
+            let SensorErrors { constant, scale_factor, misalignment, g_sensitivity, .. } = errors;
+            let present = [constant, scale_factor, misalignment, g_sensitivity];
+            present.into_iter().any(|values| values.is_some_and(|v| v != [0.0; 3]))
+        })
+    }
+
+    /// What the sensors read too much on average, when they should read `rates`.
+    pub fn systematic(&self, rates: &Rates<f64>) -> Rates<f64> {
+        let Rates { rate_ib_b, specific_force_b } = *rates;
+        let part = |errors: &SensorErrors, x: Vector<f64>| {
+            let vector = |values: Option<[f64; 3]>| Vector::from(values.unwrap_or_default());
+            let times = |k: Vector<f64>, x: Vector<f64>| k.zip(x, |k, x| k * x);
+            // constant + S·x − m × x + G·f
+            vector(errors.constant)
+                + times(vector(errors.scale_factor), x)
+                + x.cross(vector(errors.misalignment))
+                + times(vector(errors.g_sensitivity), specific_force_b)
+        };
+        Rates {
+            rate_ib_b: part(&self.gyro, rate_ib_b),
+            specific_force_b: part(&self.accelerometer, specific_force_b),
+        }
+    }
+}
+
+/// One unit of error of one sensor.
+pub fn unit(sensor: usize) -> Rates<f64> {
+    let [x, y, z, u, v, w] = std::array::from_fn(|i| f64::from(u8::from(i == sensor)));
+    Rates { rate_ib_b: Vector::new(x, y, z), specific_force_b: Vector::new(u, v, w) }
+}

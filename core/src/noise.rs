@@ -6,6 +6,7 @@
 mod quantile;
 
 use crate::math::real::Scalar;
+use crate::record::Record;
 use quantile::{double, single};
 use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::{SplitMix64, Xoshiro256PlusPlus};
@@ -113,7 +114,7 @@ impl Stream {
 }
 
 /// A scalar for which there are random deviates.
-pub trait Deviate: Scalar {
+pub trait Deviate: Scalar + Record {
     /// The random bits that make one deviate.
     type Word: Copy;
 

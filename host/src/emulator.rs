@@ -2,6 +2,7 @@
 
 use crate::scene::{Scene, SensorErrors};
 use schuler::math::vector::Vector;
+use schuler::sensor::Timing;
 use schuler::sensor::constant::Constant;
 use schuler::sensor::emulator::Emulator;
 use schuler::sensor::flicker::Flicker;
@@ -16,7 +17,6 @@ use schuler::sensor::scale_factor::ScaleFactor;
 use schuler::sensor::triad::Triad;
 use schuler::sensor::turn_on::TurnOn;
 use schuler::sensor::white::White;
-use schuler::sensor::Timing;
 
 /// The emulator of a scene: every term there or not.
 pub type SceneEmulator = Emulator<f64, Triad<f64>, Triad<f64>>;
@@ -29,9 +29,9 @@ pub fn build(scene: &Scene) -> Result<SceneEmulator, ParameterError> {
 
 fn triad(errors: &SensorErrors, timing: Timing<f64>) -> Result<Triad<f64>, ParameterError> {
     let axes = |axes: &Option<[f64; 3]>| axes.map(Vector::from);
-    let gauss_markov = errors.gauss_markov.map(|process| {
-        GaussMarkov::new(process.rms.into(), process.correlation_s.into(), timing)
-    });
+    let gauss_markov = errors
+        .gauss_markov
+        .map(|process| GaussMarkov::new(process.rms.into(), process.correlation_s.into(), timing));
     Ok(Triad {
         constant: axes(&errors.constant).map(|x| Constant::new(x, timing)).transpose()?,
         turn_on: axes(&errors.turn_on).map(|x| TurnOn::new(x, timing)).transpose()?,

@@ -132,10 +132,11 @@ impl From<StartError> for Unavailable {
     }
 }
 
-/// Starts the navigator that is asked for, with the window that is given.
+/// Starts the navigator that is asked for, with the window and the order of series that are given.
 pub fn start(
     navigator: &Navigator,
     shape: WindowShape,
+    order: usize,
     interval_s: Pair<f64>,
     initial: &Solution<f64>,
 ) -> Result<Box<dyn Navigate>, Unavailable> {
@@ -154,16 +155,16 @@ pub fn start(
             Flying::boxed(Textbook::<EarthFixedTextbook<f32>>::new(single.hi)?, initial)?
         }
         (Algorithm::Taylor, Precision::F64, Frame::LocalLevel) => {
-            taylor::<LocalLevel<Pair<f64>>>(shape, interval_s, initial)?
+            taylor::<LocalLevel<Pair<f64>>>(shape, order, interval_s, initial)?
         }
         (Algorithm::Taylor, Precision::F64, Frame::EarthFixed) => {
-            taylor::<EarthFixed<Pair<f64>>>(shape, interval_s, initial)?
+            taylor::<EarthFixed<Pair<f64>>>(shape, order, interval_s, initial)?
         }
         (Algorithm::Taylor, Precision::F32, Frame::LocalLevel) => {
-            taylor::<LocalLevel<Pair<f32>>>(shape, single, initial)?
+            taylor::<LocalLevel<Pair<f32>>>(shape, order, single, initial)?
         }
         (Algorithm::Taylor, Precision::F32, Frame::EarthFixed) => {
-            taylor::<EarthFixed<Pair<f32>>>(shape, single, initial)?
+            taylor::<EarthFixed<Pair<f32>>>(shape, order, single, initial)?
         }
     };
     Ok(boxed)
@@ -172,6 +173,7 @@ pub fn start(
 /// A taylor navigator in a frame, with one of the named windows.
 fn taylor<F>(
     shape: WindowShape,
+    order: usize,
     interval_s: Pair<F::Real>,
     initial: &Solution<f64>,
 ) -> Result<Box<dyn Navigate>, Unavailable>
@@ -184,13 +186,15 @@ where
                 type $name = window::$name;
                 let shapes = ($name::HISTORY, $name::BLOCK, $name::LOOKAHEAD);
                 if shapes == (shape.history, shape.block, shape.lookahead) {
-                    return Ok(Flying::boxed(Strapdown::<F, $name>::new(interval_s)?, initial)?);
+                    let strapdown = Strapdown::<F, $name>::new(interval_s)?.with_order(order);
+                    return Ok(Flying::boxed(strapdown, initial)?);
                 }
             )+
         }};
     }
     choose!(
-        H0B2A0, H0B3A0, H0B4A0, H0B6A0, H2B2A0, H2B2A2, H2B4A0, H4B4A0, H2B4A2, H4B4A4, Line8, Line20
+        H0B2A0, H0B3A0, H0B4A0, H0B6A0, H2B2A0, H2B2A2, H2B4A0, H4B4A0, H2B4A2, H4B4A4, Line8,
+        Line20
     );
     Err(Unavailable::Window(shape))
 }

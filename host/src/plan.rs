@@ -20,6 +20,8 @@ const PASSES: usize = 7;
 pub struct Plan {
     /// The taylor algorithm's window.
     pub window: WindowShape,
+    /// The order of its series, at most.
+    pub order: usize,
     /// Whether nothing may be skipped.
     force_all: bool,
 }
@@ -41,7 +43,14 @@ impl Plan {
             let single = scene.navigator.precision == Precision::F32;
             plan::window(bandwidth, 1.0 / scene.rate_hz, single).into()
         };
-        Self { window: scene.navigator.window.unwrap_or_else(planned), force_all }
+        let window = scene.navigator.window.unwrap_or_else(planned);
+        let order = if force_all {
+            plan::HIGHEST_ORDER
+        } else {
+            let angular_rate = source.course.bound().angular_rate;
+            plan::order(angular_rate, window.block as f64 / scene.rate_hz)
+        };
+        Self { window, order, force_all }
     }
 
     /// The window flown, if the algorithm has one.

@@ -119,8 +119,8 @@ fn fly(
     let interval_s = interval(recording.interval_s);
     let shape = options.window.unwrap_or_else(|| plan::UNKNOWN.into());
     let initial = start.solution();
-    let mut navigator =
-        navigator::start(options, shape, interval_s, &initial).map_err(unavailable)?;
+    let mut navigator = navigator::start(options, shape, plan::HIGHEST_ORDER, interval_s, &initial)
+        .map_err(unavailable)?;
     let mut writer = NavigationWriter::create(&args.out)?;
 
     let origin_s = recording.samples[first].time_s - recording.interval_s;
@@ -203,7 +203,9 @@ fn report(last: &(f64, Solution<f64>), start_s: f64, at_rest: Option<&Solution<f
     if let Some(rest) = at_rest {
         let moved = drift(solution, rest);
         let [north, east, down] = moved.position_ned.into_array();
-        println!("had it stood still: drifted {north:.1} m north, {east:.1} m east, {down:.1} m down,");
+        println!(
+            "had it stood still: drifted {north:.1} m north, {east:.1} m east, {down:.1} m down,"
+        );
         let [north, east, down] = moved.velocity_ned.into_array();
         println!("  at {north:.3} m/s north, {east:.3} m/s east, {down:.3} m/s down,");
         let [x, y, z] = moved.attitude_ned.map(|a| a / ARCSECOND).into_array();

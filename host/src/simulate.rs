@@ -120,7 +120,8 @@ pub fn fly(
     let mut theory = Theory::new(scene).map_err(SourceError::Trajectory)?;
     let interval_s = Pair::new(scene.rate_hz).reciprocal();
     let initial = offset(&source.motion(0).initial(), scene);
-    let mut navigator = navigator::start(&scene.navigator, plan.window, interval_s, &initial)?;
+    let mut navigator =
+        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &initial)?;
 
     let mut log = Log::new(samples, scene.rate_hz);
     let mut written = Ok(());
@@ -205,12 +206,7 @@ fn offset(truth: &Solution<f64>, scene: &Scene) -> Solution<f64> {
     if error == Drift::default() { *truth } else { error.added_to(truth) }
 }
 
-fn instant(
-    source: &Source,
-    theory: &mut Theory,
-    sample: u64,
-    computed: &Solution<f64>,
-) -> Instant {
+fn instant(source: &Source, theory: &mut Theory, sample: u64, computed: &Solution<f64>) -> Instant {
     let time_s = source.time_s(sample);
     let truth = source.truth(sample);
     let expected = theory.at(time_s);

@@ -61,11 +61,8 @@ impl Source {
         let course = scene.trajectory.build().map_err(SourceError::Trajectory)?;
         let interval_s = 1.0 / scene.rate_hz;
         let bandwidth = course.bound().bandwidth;
-        let quadrature = if force_all {
-            Quadrature::FINEST
-        } else {
-            Quadrature::plan(bandwidth, interval_s)
-        };
+        let quadrature =
+            if force_all { Quadrature::FINEST } else { Quadrature::plan(bandwidth, interval_s) };
         let perfect = scene.gyro == Default::default() && scene.accelerometer == Default::default();
         let emulator = if perfect && !force_all {
             None

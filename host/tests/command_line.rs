@@ -35,10 +35,17 @@ fn emulate(line: &str) -> EmulateArgs {
 fn definitions_are_consistent_and_help_has_examples() {
     let mut command = <Cli as CommandFactory>::command();
     command.clone().debug_assert();
-    assert!(command.render_help().to_string().contains("Examples:\n  schuler "));
+    let help = command.render_help().to_string();
+    assert!(
+        help.starts_with("Flies a strapdown") && help.contains("Examples:\n  schuler "),
+        "{help}"
+    );
     for name in ["run", "emulate", "replay", "scenes"] {
         let help = command.find_subcommand_mut(name).expect(name).render_help().to_string();
         assert!(help.contains(&format!("\n  schuler {name}")), "{help}");
+        let about =
+            ["Fly a scene", "Write the sensors", "Navigate a recorded", "List the built-in"];
+        assert!(about.iter().any(|about| help.starts_with(about)), "{help}");
     }
 }
 

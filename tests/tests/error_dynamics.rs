@@ -1,7 +1,8 @@
 //! The linear error model against differences of full nonlinear navigation solutions.
 
 use schuler::drift::compare::Drift;
-use schuler::drift::linear::{ErrorDynamics, ErrorState, MeridianShift};
+use schuler::drift::linear::{ErrorDynamics, ErrorState};
+use schuler::drift::meridian::MeridianShift;
 use schuler::imu;
 use schuler::math::vector::Vector;
 use schuler::sample::Rates;

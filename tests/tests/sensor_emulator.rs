@@ -2,6 +2,7 @@
 
 use schuler::math::vector::Vector;
 use schuler::noise::{Deviate, Streams};
+use schuler::record::Record;
 use schuler::sample::{Increment, Rates};
 use schuler::sensor::constant::Constant;
 use schuler::sensor::emulator::Emulator;
@@ -16,7 +17,6 @@ use schuler::sensor::scale_factor::ScaleFactor;
 use schuler::sensor::triad::Triad;
 use schuler::sensor::turn_on::TurnOn;
 use schuler::sensor::white::White;
-use schuler::sensor::words::Words;
 use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing};
 
 fn timing() -> Timing<f64> {
@@ -125,7 +125,7 @@ fn single_precision_emulates_the_same_sensors() {
 }
 
 #[test]
-fn a_run_is_a_function_of_its_seed_and_number_and_goes_on_from_its_words() {
+fn a_run_is_a_function_of_its_seed_and_number_and_goes_on_from_its_record() {
     let emulator = noisy::<f64>();
     let perfect = Increment { angle_b: X, velocity_b: F };
     let run = |seed, run| {
@@ -141,13 +141,13 @@ fn a_run_is_a_function_of_its_seed_and_number_and_goes_on_from_its_words() {
         emulator.emulate(&mut state, &perfect);
     }
     let mut words = Vec::new();
-    state.words(&mut |word| {
+    state.record("", &mut |_, word| {
         words.push(word);
         word
     });
     let mut saved = words.into_iter();
     let mut restored = emulator.start(77, 0);
-    restored.words(&mut |_| saved.next().unwrap());
+    restored.record("", &mut |_, _| saved.next().unwrap());
     assert_eq!(saved.next(), None);
     assert_eq!(restored, state);
     assert_eq!(emulator.emulate(&mut restored, &perfect), run(1, 5)[10]);
@@ -165,10 +165,33 @@ fn a_terms_noise_does_not_depend_on_the_other_terms() {
     assert!((error(&both) - error(&white) - error(&markov)).norm() < 1e-15);
 
     // Nor do two terms of a kind, two axes, or the two triads, share theirs.
-    let pair = error(&(white, white));
-    let [x, y, z] = error(&white).into_array();
-    assert!(pair.x != 2.0 * x && x != y && y != z);
+    let [x, y, z] = error(&(white, ())).into_array();
+    assert!(error(&(white, white)).x != 2.0 * x && x != y && y != z);
     let emulator = Emulator::new(white, white, timing());
     let read = emulator.emulate(&mut emulator.start(1, 0), &Increment::default());
     assert_ne!(read.angle_b, read.velocity_b);
+}
+
+/// A term's part in a triad draws from the branch of this number.
+fn check_branch(number: u64, term: impl ErrorTerm<f64>, triad: Triad<f64>) {
+    let mut state = term.start(Streams::new(1, 0).branch(number));
+    let mut reading = Reading { increment: Vector::ZERO, saturated: false };
+    let stimulus = Stimulus { sensed: Vector::ZERO, velocity_b: Vector::ZERO };
+    term.apply(&mut state, &stimulus, &mut reading);
+    assert_eq!(reading.increment, error(&triad), "branch {number}");
+}
+
+#[test]
+fn the_terms_of_a_triad_have_a_branch_of_streams_each() {
+    let one = vector(1.0, 1.0, 1.0);
+    let term = TurnOn::new(one, timing()).unwrap();
+    check_branch(1, term, Triad { turn_on: Some(term), ..Triad::PERFECT });
+    let term = GaussMarkov::new(one, one, timing()).unwrap();
+    check_branch(2, term, Triad { gauss_markov: Some(term), ..Triad::PERFECT });
+    let term = White::new(one, timing()).unwrap();
+    check_branch(3, term, Triad { white: Some(term), ..Triad::PERFECT });
+    let term = RandomWalk::new(one, timing()).unwrap();
+    check_branch(4, term, Triad { random_walk: Some(term), ..Triad::PERFECT });
+    let term = Flicker::new(one, timing()).unwrap();
+    check_branch(5, term, Triad { flicker: Some(term), ..Triad::PERFECT });
 }

@@ -107,12 +107,12 @@ fn saturation_cuts_both_signs_and_counts_samples() {
     let emulator = Emulator::new(limit, limit, timing());
     let mut state = emulator.start(1, 0);
     let small = vector(0.5, 0.5, 0.5);
-    for (angle_b, velocity_b) in
-        [(small, small), (X * 4.0, small), (small, -X), (X * 9.0, -X * 9.0)]
+    let big = X * 9.0;
+    for (angle_b, velocity_b) in [(small, small), (-X, X), (big, small), (small, -big), (big, big)]
     {
         emulator.emulate(&mut state, &Increment { angle_b, velocity_b });
     }
-    assert_eq!(state.saturated, 2, "samples, not axes or triads");
+    assert_eq!(state.saturated, 3, "samples, not axes or triads");
 }
 
 #[test]

@@ -207,7 +207,7 @@ fn vertical_channel() {
     });
     scene.initial_error.position_m = [5.0, 0.0, down];
     scene.navigator.vertical = Vertical::Held;
-    each_time(&scene, |t, tolerance, Expected { mean, .. }| {
+    each_time(&scene, |_, tolerance, Expected { mean, .. }| {
         assert_eq!((mean.position_ned.z, mean.velocity_ned.z), (0.0, 0.0), "held");
         // Level in its own place, the navigator has no reason to move.
         near(mean.position_ned.x, 5.0, tolerance, "north");

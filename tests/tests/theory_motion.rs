@@ -3,7 +3,7 @@
 use schuler::earth::{ROTATION_RATE, gravity};
 use schuler::trajectory::harmonic::Harmonic;
 use schuler_host::scene::{
-    Channel, GaussMarkov, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory,
+    Channel, GaussMarkov, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory, Vertical,
 };
 use schuler_host::theory::{Expected, Theory};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -158,6 +158,22 @@ fn rows_between_steps_agree_with_the_full_covariance() {
                 assert!((a - b).abs() <= 1e-9 * limit, "{t} s: not symmetric");
                 assert!(a.abs() <= limit * (1.0 + 1e-9), "{t} s: correlation above one");
             }
+        }
+    }
+}
+
+#[test]
+fn a_held_vertical_has_no_drift() {
+    let mut scene = manoeuvre();
+    full_errors(&mut scene);
+    scene.initial_error.position_m = [1.0, 2.0, 3.0];
+    scene.navigator.vertical = Vertical::Held;
+    let mut theory = Theory::new(&scene).unwrap();
+    for t in TIMES {
+        let Expected { mean, sigma } = theory.at(t);
+        for drift in [mean, sigma] {
+            assert_eq!((drift.position_ned.z, drift.velocity_ned.z), (0.0, 0.0));
+            assert!(drift.position_ned.x != 0.0);
         }
     }
 }

@@ -4,7 +4,9 @@
 //! |---|---|
 //! | `compare` | a solution less the truth, in metres, m/s and rad |
 //! | `linear` | the differential equation of small errors along a motion |
+//! | `meridian` | from such errors to a drift, and back |
 
 pub mod compare;
 pub mod linear;
+pub mod meridian;
 pub mod offset;

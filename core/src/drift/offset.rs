@@ -41,6 +41,7 @@ impl Drift {
 fn rotation(vector: Vector<f64>) -> Quaternion<Pair<f64>> {
     let half = 0.5 * vector.norm();
     let (sine, cosine) = Pair::new(half).sin_cos();
-    let factor = if half > 0.0 { sine * Pair::new(2.0 * half).reciprocal() } else { Pair::new(0.5) };
+    let factor =
+        if half > 0.0 { sine * Pair::new(2.0 * half).reciprocal() } else { Pair::new(0.5) };
     Quaternion::new(cosine, vector.map(|c| factor * Pair::new(c)))
 }

@@ -5,6 +5,7 @@
 //! This file is the only one that calls a transcendental function (libm's, so that the bits do not
 //! depend on the platform). IEEE 754 fixes the bits of + − × ÷ √ everywhere.
 
+use super::twin::{Both, DoubleTwin, Twin};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 #[cfg(feature = "std")]
@@ -25,6 +26,8 @@ impl<T> Number for T where
 pub trait Real: Number + Div<Output = Self> + 'static {
     /// The result of a comparison: `bool`, or one per lane.
     type Mask: Copy;
+    /// Two numbers that go through the same operations side by side.
+    type Twin: Twin<Self>;
 
     /// 0.
     const ZERO: Self;
@@ -101,9 +104,10 @@ macro_rules! inverse {
 
 macro_rules! scalar {
     ($t:ident, $mask:expr, $sin_cos:path, $atan2:path, $expm1:path, $ln:path, $rint:path, $sqrt:path,
-     $residual:expr, $entry:expr) => {
+     $residual:expr, $entry:expr, $twin:ty) => {
         impl Real for $t {
             type Mask = bool;
+            type Twin = $twin;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const TWO: Self = 2.0;
@@ -214,7 +218,8 @@ scalar!(
     libm::rint,
     libm::sqrt,
     |_: f64| 0.0,
-    |_: f32, double: f64| double
+    |_: f32, double: f64| double,
+    DoubleTwin
 );
 scalar!(
     f32,
@@ -226,5 +231,6 @@ scalar!(
     libm::rintf,
     libm::sqrtf,
     |literal: f64| (literal - literal as f32 as f64) as f32,
-    |single: f32, _: f64| single
+    |single: f32, _: f64| single,
+    Both<f32>
 );

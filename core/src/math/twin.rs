@@ -3,57 +3,82 @@
 //! Only the grouping differs from two scalars; every operation and its bits are the same.
 
 use super::real::Real;
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::{Add, Mul, Sub};
 
 /// Two numbers side by side.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Twin<R>(pub R, pub R);
-
-impl<R: Real> Twin<R> {
-    /// Zeros.
-    pub const ZERO: Self = Self(R::ZERO, R::ZERO);
+pub trait Twin<R>:
+    Copy + core::fmt::Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
+    /// From the two.
+    fn new(a: R, b: R) -> Self;
+    /// The two.
+    fn parts(self) -> (R, R);
 
     /// The same number twice.
     #[inline(always)]
-    pub fn both(x: R) -> Self {
-        Self(x, x)
+    fn both(x: R) -> Self
+    where
+        R: Copy,
+    {
+        Self::new(x, x)
     }
 
     /// (a, b) times i: (−b, a).
     #[inline(always)]
-    pub fn quarter_turn(self) -> Self {
-        Self(-self.1, self.0)
+    fn quarter_turn(self) -> Self
+    where
+        R: Real,
+    {
+        let (a, b) = self.parts();
+        Self::new(-b, a)
     }
 }
 
-impl<R: Real> Add for Twin<R> {
-    type Output = Self;
+/// Two scalars.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Both<R>(pub R, pub R);
+
+impl<R: Real + core::fmt::Debug> Twin<R> for Both<R> {
     #[inline(always)]
-    fn add(self, b: Self) -> Self {
-        Self(self.0 + b.0, self.1 + b.1)
+    fn new(a: R, b: R) -> Self {
+        Self(a, b)
+    }
+    #[inline(always)]
+    fn parts(self) -> (R, R) {
+        (self.0, self.1)
     }
 }
 
-impl<R: Real> Sub for Twin<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, b: Self) -> Self {
-        Self(self.0 - b.0, self.1 - b.1)
-    }
+macro_rules! by_parts {
+    ($($op:ident $f:ident),+) => {
+        $(impl<R: Real> $op for Both<R> {
+            type Output = Self;
+            #[inline(always)]
+            fn $f(self, b: Self) -> Self {
+                Self($op::$f(self.0, b.0), $op::$f(self.1, b.1))
+            }
+        })+
+    };
 }
 
-impl<R: Real> Mul for Twin<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, b: Self) -> Self {
-        Self(self.0 * b.0, self.1 * b.1)
-    }
-}
+by_parts!(Add add, Sub sub, Mul mul);
 
-impl<R: Real> Neg for Twin<R> {
-    type Output = Self;
+/// Two doubles: one register where the standard library vouches for a host's vector unit.
+#[cfg(feature = "std")]
+pub type DoubleTwin = wide::f64x2;
+/// Two doubles.
+#[cfg(not(feature = "std"))]
+pub type DoubleTwin = Both<f64>;
+
+#[cfg(feature = "std")]
+impl Twin<f64> for wide::f64x2 {
     #[inline(always)]
-    fn neg(self) -> Self {
-        Self(-self.0, -self.1)
+    fn new(a: f64, b: f64) -> Self {
+        Self::new([a, b])
+    }
+    #[inline(always)]
+    fn parts(self) -> (f64, f64) {
+        let [a, b] = self.to_array();
+        (a, b)
     }
 }

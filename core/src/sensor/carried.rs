@@ -1,8 +1,8 @@
 //! Hand-over to a narrower type: what rounding drops from a sample is added to the next.
 
-use super::words::Words;
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
+use crate::record::{Record, record};
 use crate::sample::Increment;
 
 /// What the increments handed over so far lack of those taken in, for each axis.
@@ -35,9 +35,6 @@ fn narrow<R: Scalar>(carry: &mut Vector<f64>, increment: Vector<f64>) -> Vector<
     rounded
 }
 
-impl Words for Carried {
-    fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
-        self.angle_b.words(visit);
-        self.velocity_b.words(visit);
-    }
+impl Record for Carried {
+    record!(angle_b, velocity_b);
 }

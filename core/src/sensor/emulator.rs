@@ -1,9 +1,9 @@
 //! The emulator: perfect increments in, the increments of real sensors out.
 
-use super::words::Words;
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
 use crate::noise::{Deviate, Streams};
+use crate::record::{Record, record};
 use crate::sample::{Increment, Rates};
 
 /// A triad of gyros and a triad of accelerometers.
@@ -99,10 +99,6 @@ fn read<R: Deviate, T: ErrorTerm<R>>(
     reading
 }
 
-impl<G: Words, A: Words> Words for EmulatorState<G, A> {
-    fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
-        self.gyro.words(visit);
-        self.accelerometer.words(visit);
-        self.saturated.words(visit);
-    }
+impl<G: Record, A: Record> Record for EmulatorState<G, A> {
+    record!(gyro, accelerometer, saturated);
 }

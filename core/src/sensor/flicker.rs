@@ -5,10 +5,10 @@
 
 use super::gauss_markov::Process;
 use super::parameter::{Parameter, ParameterError};
-use super::words::Words;
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
 use crate::noise::{Deviate, Stream, Streams};
+use crate::record::{Record, record};
 
 /// As many decades as a 64-bit count of samples can have.
 const DECADES: usize = 20;
@@ -86,9 +86,6 @@ impl<R: Deviate> ErrorTerm<R> for Flicker<R> {
     }
 }
 
-impl<R: Deviate> Words for FlickerState<R> {
-    fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
-        self.parts.words(visit);
-        self.streams.words(visit);
-    }
+impl<R: Deviate> Record for FlickerState<R> {
+    record!(parts, streams);
 }

@@ -4,10 +4,10 @@
 //! depends on the sample rate. It starts stationary.
 
 use super::parameter::{Parameter, ParameterError};
-use super::words::Words;
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
 use crate::noise::{Deviate, Stream, Streams};
+use crate::record::{Record, record};
 
 /// One Gauss-Markov process of rms σ and correlation time T, advanced by an interval Δt.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -135,9 +135,6 @@ impl<R: Deviate> ErrorTerm<R> for GaussMarkov<R> {
     }
 }
 
-impl<R: Deviate> Words for GaussMarkovState<R> {
-    fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
-        self.bias.words(visit);
-        self.streams.words(visit);
-    }
+impl<R: Deviate> Record for GaussMarkovState<R> {
+    record!(bias, streams);
 }

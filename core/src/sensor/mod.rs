@@ -16,17 +16,17 @@ pub mod misalignment;
 pub mod parameter;
 pub mod quantization;
 pub mod random_walk;
+mod record;
 pub mod saturation;
 pub mod scale_factor;
 pub mod triad;
 pub mod turn_on;
 pub mod white;
-pub mod words;
 
 use crate::math::vector::Vector;
 use crate::noise::{Deviate, Streams};
+use crate::record::Record;
 use parameter::{Fault, Parameter, ParameterError};
-use words::Words;
 
 /// When a sensor is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,7 +81,7 @@ pub struct Reading<R> {
 /// A way in which a triad of like sensors errs.
 pub trait ErrorTerm<R: Deviate> {
     /// What it remembers from sample to sample.
-    type State: Clone + Words;
+    type State: Clone + Record;
 
     /// The state before the first sample of a run.
     fn start(&self, streams: Streams) -> Self::State;

@@ -3,10 +3,10 @@
 //! The bias' step and the bias' integral over a sample are correlated, and drawn jointly.
 
 use super::parameter::{Parameter, ParameterError};
-use super::words::Words;
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
 use crate::noise::{Deviate, Stream, Streams};
+use crate::record::{Record, record};
 
 /// A bias that starts at zero and integrates white noise. Its Allan variance is K²τ/3.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,9 +61,6 @@ impl<R: Deviate> ErrorTerm<R> for RandomWalk<R> {
     }
 }
 
-impl<R: Deviate> Words for RandomWalkState<R> {
-    fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
-        self.bias.words(visit);
-        self.streams.words(visit);
-    }
+impl<R: Deviate> Record for RandomWalkState<R> {
+    record!(bias, streams);
 }

@@ -11,9 +11,9 @@ use super::saturation::Saturation;
 use super::scale_factor::ScaleFactor;
 use super::turn_on::TurnOn;
 use super::white::White;
-use super::words::Words;
 use super::{ErrorTerm, Reading, Stimulus};
 use crate::noise::{Deviate, Streams};
+use crate::record::{Record, record};
 
 macro_rules! triad {
     ($($(#[$doc:meta])* $name:ident: $term:ident = $branch:literal,)+) => {
@@ -55,10 +55,8 @@ macro_rules! triad {
             }
         }
 
-        impl<R: Deviate> Words for TriadState<R> {
-            fn words(&mut self, visit: &mut impl FnMut(u64) -> u64) {
-                $(self.$name.words(visit);)+
-            }
+        impl<R: Deviate> Record for TriadState<R> {
+            record!($($name),+);
         }
     };
 }

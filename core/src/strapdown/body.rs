@@ -8,7 +8,7 @@
 use super::fit::Fit;
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
-use crate::math::twin::Twin;
+use crate::math::twin::Twin as _;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 
@@ -25,110 +25,118 @@ pub struct BodyMotion<R> {
 
 /// One coefficient, or the series at one σ: q (less one, at a point), U and D.
 #[derive(Clone, Copy, Debug)]
-struct Term<R> {
+struct Term<R: Real> {
     /// q's scalar and x, and its y and z.
-    wx: Twin<R>,
-    yz: Twin<R>,
+    wx: R::Twin,
+    yz: R::Twin,
     /// U and D side by side.
-    motion: Vector<Twin<R>>,
+    motion: Vector<R::Twin>,
 }
 
 impl<R: Real> Term<R> {
-    const ZERO: Self = Self {
-        wx: Twin::ZERO,
-        yz: Twin::ZERO,
-        motion: Vector::new(Twin::ZERO, Twin::ZERO, Twin::ZERO),
-    };
+    #[inline(always)]
+    fn zero() -> Self {
+        let zero = R::Twin::both(R::ZERO);
+        Self { wx: zero, yz: zero, motion: Vector::new(zero, zero, zero) }
+    }
 
     #[inline(always)]
-    fn zip(self, b: Self, f: impl Fn(Twin<R>, Twin<R>) -> Twin<R>) -> Self {
+    fn zip(self, b: Self, f: impl Fn(R::Twin, R::Twin) -> R::Twin) -> Self {
         Self { wx: f(self.wx, b.wx), yz: f(self.yz, b.yz), motion: self.motion.zip(b.motion, &f) }
     }
 
     #[inline(always)]
     fn rotation(&self) -> Quaternion<R> {
-        Quaternion::new(self.wx.0, Vector::new(self.wx.1, self.yz.0, self.yz.1))
+        {
+            let ((w, x), (y, z)) = (self.wx.parts(), self.yz.parts());
+            Quaternion::new(w, Vector::new(x, y, z))
+        }
     }
 
     #[inline(always)]
     fn velocity(&self) -> Vector<R> {
-        self.motion.map(|c| c.0)
+        self.motion.map(|c| c.parts().0)
     }
 
     #[inline(always)]
     fn position(&self) -> Vector<R> {
-        self.motion.map(|c| c.1)
+        self.motion.map(|c| c.parts().1)
+    }
+
+    /// Adds q ⊗ w, U × w and D × w of a coefficient; w has each component twice.
+    #[inline(always)]
+    fn add_product(&mut self, term: &Self, w: &Vector<R::Twin>) {
+        let (p, q) = (term.wx, term.yz);
+        let (p_turned, q_turned) = (p.quarter_turn(), q.quarter_turn());
+        // (q ⊗ w): −(x w_x + y w_y + z w_z), q_w w_x + (y w_z − z w_y)
+        self.wx = self.wx + p_turned * w.x - q * w.y + q_turned * w.z;
+        // q_w w_y + (z w_x − x w_z), q_w w_z + (x w_y − y w_x)
+        self.yz = self.yz + p * w.y + p_turned * w.z - q_turned * w.x;
+        let (x, sum) = (term.motion, self.motion);
+        self.motion = Vector {
+            x: sum.x + x.y * w.z - x.z * w.y,
+            y: sum.y + x.z * w.x - x.x * w.z,
+            z: sum.z + x.x * w.y - x.y * w.x,
+        };
     }
 }
 
 /// The series of a block to the power N − 1, with its values at the start.
 #[derive(Clone, Copy, Debug)]
-pub struct Series<R, const N: usize> {
+pub struct Series<R: Real, const N: usize> {
     terms: [Term<R>; N],
+    last: usize,
     start: Term<R>,
 }
 
-/// Repeats a body for n = 0, 1, … up to a constant below 16: in a row where there is room for the code
-/// and a vector unit to feed, in a loop on a microcontroller. The operations are the same.
-macro_rules! each_order {
-    ($end:expr, $n:ident => $body:block) => {
-        if cfg!(target_pointer_width = "64") {
-            each_order!(@row $end, $n, $body, 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
-        } else {
-            for $n in 0..$end $body
-        }
-    };
-    (@row $end:expr, $n:ident, $body:block, $($order:literal)+) => {
-        $(if $order < $end {
-            let $n: usize = $order;
-            $body
-        })+
-    };
-}
-
-/// A block's motion and its series. `sum` is the sum of the block's own increments, `half_time_s`
-/// half the block's duration.
+/// A block's motion and its series up to σ^`order`, at most N − 1. `sum` is the sum of the block's own
+/// increments, `half_time_s` half the block's duration.
 #[inline(always)]
 pub fn integrate<R: Real, const K: usize, const N: usize>(
     fit: &Fit<R, K>,
     sum: Increment<R>,
     half_time_s: R,
+    order: usize,
 ) -> (BodyMotion<R>, Series<R, N>) {
-    let mut terms = [Term::ZERO; N];
-    terms[0].wx = Twin(R::ONE, R::ZERO);
+    let order = order.min(N - 1);
+    let rate = fit.rate.map(|w| w.map(R::Twin::both));
+    let mut terms = [Term::zero(); N];
+    // q₀ = 1, U₀ = D₀ = 0: the products with them are wₙ itself and 0.
+    terms[0].wx = R::Twin::new(R::ONE, R::ZERO);
     // What the odd coefficients hold beyond their own wₙ/2(n + 1) and fₙ/(n + 1).
     let mut odd_rotation = Vector::ZERO;
     let mut odd_velocity = Vector::ZERO;
-    each_order!(N - 1, n => {
+    for n in 0..order {
         // q_{n+1} = 1/(2(n+1)) Σ q_{n−k} ⊗ w_k
         // U_{n+1} = (f_n − Σ w_k × U_{n−k})/(n+1),  D_{n+1} = (U_n − Σ w_k × D_{n−k})/(n+1)
-        let mut turned = Term::ZERO;
-        for k in 0..K.min(n) {
-            turned = turned.zip(product(&terms[n - k], fit.rate[k]), |a, b| a + b);
+        let mut turned = Term::zero();
+        let past = terms.get(1..=n).unwrap_or(&[]);
+        for (term, w) in past.iter().rev().zip(&rate) {
+            turned.add_product(term, w);
         }
-        let inverse = R::INVERSE[n + 1];
-        let half_inverse = Twin::both(inverse * R::HALF);
-        let (w, f) = if n < K { (fit.rate[n], fit.force[n]) } else { (Vector::ZERO, Vector::ZERO) };
-        let last = terms[n].motion;
+        let inverse = R::INVERSE.get(n + 1).copied().unwrap_or(R::ZERO);
+        let half_inverse = R::Twin::both(inverse * R::HALF);
         if n % 2 == 0 {
-            odd_rotation = odd_rotation + turned.rotation().v * half_inverse.0;
+            odd_rotation = odd_rotation + turned.rotation().v * (inverse * R::HALF);
             odd_velocity = odd_velocity + turned.velocity() * inverse;
         }
-        terms[n + 1] = Term {
-            wx: (turned.wx + Twin(R::ZERO, w.x)) * half_inverse,
-            yz: (turned.yz + Twin(w.y, w.z)) * half_inverse,
-            motion: f
-                .zip(last, |f, last| Twin(f, last.0))
-                .zip(turned.motion, |a, b| (a + b) * Twin::both(inverse)),
+        let w = fit.rate.get(n).copied().unwrap_or(Vector::ZERO);
+        let f = fit.force.get(n).copied().unwrap_or(Vector::ZERO);
+        let [.., before, next] = terms.get_mut(..n + 2).unwrap_or(&mut []) else { break };
+        let driven = f.zip(before.motion, |f, before| R::Twin::new(f, before.parts().0));
+        *next = Term {
+            wx: (turned.wx + R::Twin::new(R::ZERO, w.x)) * half_inverse,
+            yz: (turned.yz + R::Twin::new(w.y, w.z)) * half_inverse,
+            motion: driven.zip(turned.motion, |a, b| (a + b) * R::Twin::both(inverse)),
         };
-    });
-    let mut even = Term::ZERO;
-    let mut odd = Term::ZERO;
-    each_order!(N - 1, n => {
-        let n = N - 1 - n;
+    }
+    // The smallest first, even and odd powers apart: their sum is σ = 1, their difference σ = −1.
+    let mut even = Term::zero();
+    let mut odd = Term::zero();
+    for (n, term) in terms.iter().enumerate().take(order + 1).skip(1).rev() {
         let half = if n % 2 == 0 { &mut even } else { &mut odd };
-        *half = half.zip(terms[n], |a, b| a + b);
-    });
+        *half = half.zip(*term, |a, b| a + b);
+    }
     let (start, end) = (even.zip(odd, |a, b| a - b), even.zip(odd, |a, b| a + b));
 
     // vec(e₋* + e₊) = ½ΣΔθ + 2Σ_odd qₙ beyond wₙ₋₁/2n,  e = e₋* + e₊ + e₋* ⊗ e₊
@@ -145,33 +153,17 @@ pub fn integrate<R: Real, const K: usize, const N: usize>(
     let s = (end.position() - start.position() - start.velocity() - start.velocity()
         + e.turn_less_one(end.position()))
         * half_time_s;
-    (BodyMotion { rotation: e, velocity: u, position: s }, Series { terms, start })
-}
-
-/// q ⊗ w, U × w and D × w of a coefficient.
-#[inline(always)]
-fn product<R: Real>(term: &Term<R>, w: Vector<R>) -> Term<R> {
-    let w = w.map(Twin::both);
-    let (p, q) = (term.wx, term.yz);
-    let (p_turned, q_turned) = (p.quarter_turn(), q.quarter_turn());
-    let x = term.motion;
-    Term {
-        // (q ⊗ w): −(x w_x + y w_y + z w_z), q_w w_x + (y w_z − z w_y)
-        wx: p_turned * w.x - q * w.y + q_turned * w.z,
-        // q_w w_y + (z w_x − x w_z), q_w w_z + (x w_y − y w_x)
-        yz: p * w.y + p_turned * w.z - q_turned * w.x,
-        motion: x.cross(w),
-    }
+    (BodyMotion { rotation: e, velocity: u, position: s }, Series { terms, last: order, start })
 }
 
 impl<R: Real, const N: usize> Series<R, N> {
     /// The motion from the block's start to σ in (−1, 1).
     #[inline]
     pub fn until(&self, sigma: R, half_time_s: R) -> BodyMotion<R> {
-        let both = Twin::both(sigma);
-        let mut at = Term::ZERO;
-        for n in (1..N).rev() {
-            at = at.zip(self.terms[n], |a, b| (a + b) * both);
+        let both = R::Twin::both(sigma);
+        let mut at = Term::zero();
+        for term in self.terms.iter().take(self.last + 1).skip(1).rev() {
+            at = at.zip(*term, |a, b| (a + b) * both);
         }
         let start = &self.start;
         // q_rel = q(−1)* q(σ),  u = R_rel U(σ) − U₋,  s = (T/2)(R_rel D(σ) − D₋ − (1 + σ)U₋)

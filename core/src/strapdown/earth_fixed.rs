@@ -109,33 +109,28 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let (g0, nabla, nabla2) = (self.gravitation, self.difference, self.second_difference);
         // Δr = vT + C s + T²(½G₀ + ⅙∇ + ⅛∇²)
         let fall = g0 * R::HALF + nabla * R::of(1.0 / 6.0) + nabla2 * R::of(0.125);
-        let offset = matrix * body.position + fall * time.square + v * time.time.lo;
-        self.position.accumulate(v * t + offset);
+        let moved = v * t + (matrix * body.position + fall * time.square + v * time.time.lo);
+        let position = self.position.value() + moved;
         // G₁ = G(r + Δr), δ = G₁ − G₀, δ² = δ − ∇, δ³ = δ² − ∇²
-        let g1 = self.latitude.gravitation(self.position.value());
+        let g1 = self.latitude.gravitation(position);
         let delta = g1 - g0;
         let delta2 = delta - nabla;
         let delta3 = delta2 - nabla2;
         // Δv = C u + T(G₁ − ½δ − δ²/12 − δ³/24)
         let mean = g1 - delta * R::HALF - delta2 * R::of(1.0 / 12.0) - delta3 * R::of(1.0 / 24.0);
-        self.velocity.accumulate(matrix * body.velocity + mean * t);
+        let gained = matrix * body.velocity + mean * t;
 
-        // All turn with the Earth: Rz(−ωT), as increments.
+        // All turn with the Earth, Rz(−ωT), in the same increments.
         let turn = |x: Vector<R>| turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
-        let dr = turn(self.position.value());
-        self.position.x.add(dr.x);
-        self.position.y.add(dr.y);
-        let dv = turn(self.velocity.value());
-        self.velocity.x.add(dv.x);
-        self.velocity.y.add(dv.y);
+        self.position.accumulate(moved + turn(position));
+        self.velocity.accumulate(gained + turn(v + gained));
         self.gravitation = g1 + turn(g1);
         self.difference = delta + turn(delta);
         self.second_difference = delta2 + turn(delta2);
         // q ← q_z(−ωT) ⊗ q ⊗ q_bb
-        self.attitude.accumulate(q * body.rotation);
+        let turned = q * body.rotation;
         let back = turn_back(time.half_turn_sine, time.half_turn_cosine_less_one);
-        let dq = back * self.attitude.value();
-        self.attitude.accumulate(dq);
+        self.attitude.accumulate(turned + back * (q + turned));
         EarthFixedStep { matrix, slope: (delta + nabla) * R::HALF, curvature: delta2 * R::HALF }
     }
 
@@ -210,6 +205,5 @@ impl<S: Accumulate + Record> Record for EarthFixed<S>
 where
     S::Real: Record,
 {
-    record!(position, velocity, attitude, gravitation, difference, second_difference,
-        latitude);
+    record!(position, velocity, attitude, gravitation, difference, second_difference, latitude);
 }

@@ -7,6 +7,7 @@
 //! For slow motion a straight line by least squares does for a long block: A = (BᵀB)⁻¹Bᵀ.
 
 use crate::math::real::Real;
+use crate::math::twin::Twin as _;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 
@@ -30,13 +31,22 @@ impl<R: Real, const K: usize> Fit<R, K> {
         single: &[[f32; P]; K],
         double: &[[f64; P]; K],
     ) -> Self {
+        // Angle and velocity of a sample make three twins.
+        let samples = samples.map(|Increment { angle_b: a, velocity_b: v }| {
+            [R::Twin::new(a.x, a.y), R::Twin::new(a.z, v.x), R::Twin::new(v.y, v.z)]
+        });
         let mut fit = Self { rate: [Vector::ZERO; K], force: [Vector::ZERO; K] };
         for k in 0..K {
+            let mut sum = [R::Twin::both(R::ZERO); 3];
             for j in 0..P {
-                let a = R::entry(single[k][j], double[k][j]);
-                fit.rate[k] = fit.rate[k] + samples[j].angle_b * a;
-                fit.force[k] = fit.force[k] + samples[j].velocity_b * a;
+                let a = R::Twin::both(R::entry(single[k][j], double[k][j]));
+                for (sum, sample) in sum.iter_mut().zip(samples[j]) {
+                    *sum = *sum + sample * a;
+                }
             }
+            let [(wx, wy), (wz, fx), (fy, fz)] = sum.map(R::Twin::parts);
+            fit.rate[k] = Vector::new(wx, wy, wz);
+            fit.force[k] = Vector::new(fx, fy, fz);
         }
         fit
     }

@@ -223,9 +223,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         self.velocity.accumulate(dv);
         self.difference = delta + back.turn_less_one(delta);
         self.second_difference = delta2 + back.turn_less_one(delta2);
-        self.attitude.accumulate(q * body.rotation);
-        let dq = back * self.attitude.value();
-        self.attitude.accumulate(dq);
+        let turned = q * body.rotation;
+        self.attitude.accumulate(turned + back * (q + turned));
         LocalLevelStep {
             matrix,
             meridian,
@@ -304,6 +303,15 @@ impl<S: Accumulate + Record> Record for LocalLevel<S>
 where
     S::Real: Record,
 {
-    record!(position, sine, cosine, velocity, attitude, curvature, gravity_excess,
-        difference, second_difference);
+    record!(
+        position,
+        sine,
+        cosine,
+        velocity,
+        attitude,
+        curvature,
+        gravity_excess,
+        difference,
+        second_difference
+    );
 }

@@ -19,11 +19,7 @@ pub trait Mechanization {
     /// Starts from an initial solution.
     fn start(&self, initial: &Solution<Self::Real>) -> Result<Self::State, StartError>;
     /// Takes a sample; no row is read.
-    fn push(
-        &self,
-        state: &mut Self::State,
-        sample: Increment<Self::Real>,
-    ) -> Result<(), Rejected>;
+    fn push(&self, state: &mut Self::State, sample: Increment<Self::Real>) -> Result<(), Rejected>;
     /// Takes a sample and reads the rows that it completes: the number of samples up to each, and the
     /// navigation there.
     fn push_rows(

@@ -27,6 +27,7 @@ pub struct Strapdown<F: Frame, W> {
     interval: Pair<F::Real>,
     block: BlockTime<F::Real>,
     gate: Gate<F::Real>,
+    order: usize,
     window: PhantomData<W>,
 }
 
@@ -97,8 +98,15 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             interval: interval_s,
             block: BlockTime::new(interval_s, W::BLOCK),
             gate: Gate::new(interval_s.hi, limits)?,
+            order: W::TERMS,
             window: PhantomData,
         })
+    }
+
+    /// With a series of the order that [`plan::order`](super::plan::order) finds enough; at least one
+    /// beyond the fit's, at most the window's own.
+    pub fn with_order(self, order: usize) -> Self {
+        Self { order: order.clamp((W::COEFFICIENTS + 1).min(W::TERMS), W::TERMS), ..self }
     }
 
     /// Starts from an initial solution, whose attitude is brought to unit length.
@@ -192,7 +200,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F::Output>) {
         let begin = state.filled - state.pending - W::HISTORY;
         let window = state.samples.as_ref().get(begin..).unwrap_or(&[]);
-        if let Some((body, series)) = W::integrate::<R>(window, self.block.half) {
+        if let Some((body, series)) = W::integrate::<R>(window, self.block.half, self.order) {
             self.step(state, &self.block, W::BLOCK, &body, &series, read);
         }
     }
@@ -213,8 +221,12 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let own = window.get(history..history + block).unwrap_or(&[]);
         let time = BlockTime::new(self.interval, block);
         let fit = Fit::<R, MOST_SAMPLES>::of_any(window, history, block);
-        let (body, series) =
-            body::integrate::<R, MOST_SAMPLES, { EDGE_TERMS + 1 }>(&fit, sum(own), time.half);
+        let (body, series) = body::integrate::<R, MOST_SAMPLES, { EDGE_TERMS + 1 }>(
+            &fit,
+            sum(own),
+            time.half,
+            EDGE_TERMS,
+        );
         self.step(state, &time, block, &body, &series, read);
     }
 
@@ -289,11 +301,7 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
         Strapdown::start(self, initial)
     }
     #[inline]
-    fn push(
-        &self,
-        state: &mut State<F, W>,
-        sample: Increment<F::Real>,
-    ) -> Result<(), Rejected> {
+    fn push(&self, state: &mut State<F, W>, sample: Increment<F::Real>) -> Result<(), Rejected> {
         Strapdown::push(self, state, sample)
     }
     #[inline]

@@ -38,3 +38,20 @@ pub fn window(bandwidth: f64, interval_s: f64, single_precision: bool) -> Shape 
 
 /// The window for a motion of which nothing is known.
 pub const UNKNOWN: Shape = LIVELY.1;
+
+/// An order that no window's series exceeds.
+pub const HIGHEST_ORDER: usize = 20;
+
+/// The order at which the series of a block of a duration in seconds reaches the rounding floor, for a
+/// motion that turns by at most this rate, rad/s.
+pub fn order(angular_rate: f64, block_s: f64) -> usize {
+    // The rest is about wᵐ/m!, w the largest rotation over half the block.
+    let w = 0.5 * angular_rate * block_s;
+    let mut rest = 1.0;
+    let mut order = 0;
+    while rest > 1e-16 && order < HIGHEST_ORDER {
+        order += 1;
+        rest *= w / order as f64;
+    }
+    order
+}

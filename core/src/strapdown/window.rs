@@ -28,7 +28,7 @@ pub trait Window: Copy + Default + 'static {
     const SAMPLES: usize = Self::HISTORY + Self::BLOCK + Self::LOOKAHEAD;
     /// Coefficients of the fit: as many as samples, or 2 for a straight line.
     const COEFFICIENTS: usize;
-    /// Terms of the series beyond the constant.
+    /// Order of the series at most: for the fastest motion.
     const TERMS: usize;
 
     /// Room for the samples that a block, or the end of a stream, can need.
@@ -36,10 +36,12 @@ pub trait Window: Copy + Default + 'static {
     /// The series of a block.
     type Series<R: Real>: BlockSeries<R>;
 
-    /// Integrates the block within the window's samples; `None` if they are too few.
+    /// Integrates the block within the window's samples by a series up to σ^`order`; `None` if the
+    /// samples are too few.
     fn integrate<R: Real>(
         samples: &[Increment<R>],
         half_time_s: R,
+        order: usize,
     ) -> Option<(BodyMotion<R>, Self::Series<R>)>;
 }
 
@@ -88,6 +90,7 @@ macro_rules! windows {
                 fn integrate<R: Real>(
                     samples: &[Increment<R>],
                     half_time_s: R,
+                    order: usize,
                 ) -> Option<(BodyMotion<R>, Self::Series<R>)> {
                     const P: usize = $h + $b + $a;
                     const SINGLE: &[[f32; P]; $k] = &table_f32::<P, $k>($h, $b);
@@ -95,7 +98,7 @@ macro_rules! windows {
                     let samples = samples.first_chunk::<P>()?;
                     let fit = Fit::of(samples, SINGLE, DOUBLE);
                     let block = samples.get($h..$h + $b)?;
-                    Some(integrate::<R, $k, { $m + 1 }>(&fit, sum(block), half_time_s))
+                    Some(integrate::<R, $k, { $m + 1 }>(&fit, sum(block), half_time_s, order))
                 }
             }
         )+

@@ -56,11 +56,11 @@ pub struct RunArgs {
     /// Folder for summary.json, drift.csv, drift.png and report.html [default: out/<scene>]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// What replaces the scene's own values.
     #[command(flatten)]
-    #[expect(missing_docs, reason = "a comment here would become the help's")]
     pub flight: FlightOptions,
+    /// How to navigate.
     #[command(flatten)]
-    #[expect(missing_docs, reason = "a comment here would become the help's")]
     pub navigator: NavigatorOptions,
     /// Skip nothing, even what the scene does not need
     #[arg(long)]
@@ -95,8 +95,8 @@ pub struct EmulateArgs {
     /// Instantaneous rates instead of increments
     #[arg(long)]
     pub rates: bool,
+    /// What replaces the scene's own values.
     #[command(flatten)]
-    #[expect(missing_docs, reason = "a comment here would become the help's")]
     pub flight: FlightOptions,
 }
 
@@ -140,8 +140,8 @@ pub struct ReplayArgs {
     /// What missing samples do
     #[arg(long, value_name = "G", value_parser = options::named(Gap::NAMES))]
     pub gap: Option<Gap>,
+    /// How to navigate.
     #[command(flatten)]
-    #[expect(missing_docs, reason = "a comment here would become the help's")]
     pub navigator: NavigatorOptions,
 }
 

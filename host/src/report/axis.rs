@@ -23,16 +23,11 @@ impl Axis {
         let (low, high) = if low > high { (0.0, 0.0) } else { (low, high) };
         // Below this the labels would all read the same.
         let least = 1e-6 * low.abs().max(high.abs());
+        let share = if air { 0.06 } else { 0.0 };
         let air = match high - low {
-            span if span <= least => {
-                if least > 0.0 {
-                    10.0 * least
-                } else {
-                    1.0
-                }
-            }
-            span if air => 0.06 * span,
-            _ => 0.0,
+            span if span > least => share * span,
+            _ if least > 0.0 => 5e4 * least,
+            _ => 1.0,
         };
         Self { label: label.to_owned(), from: low - air, to: high + air }
     }

@@ -36,7 +36,7 @@ pub fn motion(instants: &[Instant]) -> String {
 fn figure(chart: Chart, (width, height): (f32, f32), class: &str) -> String {
     let frame = Frame { left: 0.0, top: 0.0, width, height };
     let chart = chart.fitted(frame);
-    let inner = Chart::inner(frame);
+    let inner = chart.inner(frame);
     let mut svg = Svg::default();
     chart.draw(&mut svg, frame);
     let attributes = format!(

@@ -127,6 +127,18 @@ mod tests {
         assert!(near(over, [0.0, quarter * 20.0 / 90.0]), "{over:?}");
         let across = east_north_km([0.0, 179.0, 0.0], [0.0, -179.0, 0.0]);
         assert!(near(across, [quarter * 2.0 / 90.0, 0.0]), "{across:?}");
+        // Anywhere: by the angle between two directions from the Earth's centre.
+        let (from, to) = ([35.0, 20.0, 0.0], [-10.0, 140.0, 0.0]);
+        let up = |[lat, lon, _]: [f64; 3]| {
+            let ((s, c), (sl, cl)) = (lat.to_radians().sin_cos(), lon.to_radians().sin_cos());
+            ([c * cl, c * sl, s], [-sl, cl, 0.0], [-s * cl, -s * sl, c])
+        };
+        let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let ((origin, east, north), (target, ..)) = (up(from), up(to));
+        let reach = EARTH_RADIUS_KM * dot(origin, target).acos();
+        let (e, n) = (dot(east, target), dot(north, target));
+        let expected = [e, n].map(|part| reach * part / e.hypot(n));
+        assert!(near(east_north_km(from, to), expected), "{expected:?}");
         assert_eq!(east_north_km([45.0, 7.0, 0.0], [45.0, 7.0, 9.0]), [0.0, 0.0]);
     }
 

@@ -52,6 +52,8 @@ pub fn scaled(scale: f64) -> Flight {
     let times = |step_s: f64, count: u32| (1..=count).map(move |k| f64::from(k) * step_s);
     let overview: Vec<Instant> = times(0.9, 2000).map(|time_s| instant(time_s, scale)).collect();
     let last = *overview.last().unwrap();
+    let mut components = last.drift;
+    components.position_m = components.position_m.map(f64::abs);
     let norms = overview.iter().map(|Instant { drift, .. }| {
         [drift.position_m, drift.velocity_m_s, drift.attitude_arcsec].map(super::norm)
     });
@@ -94,7 +96,7 @@ pub fn scaled(scale: f64) -> Flight {
         }],
         digest: "0123456789abcdef".to_owned(),
         last,
-        max: Extremes { components: last.drift, norms },
+        max: Extremes { components, norms },
         overview,
         first_minute: times(0.05, 1200).map(|time_s| instant(time_s, scale)).collect(),
         saturated: 0,

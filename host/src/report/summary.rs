@@ -181,6 +181,7 @@ mod tests {
             (number("theory.final_sigma.attitude_arcsec").powi(2) - trace).abs() < 1e-9 * trace
         );
         assert_eq!(number("error.max.position_m"), flight.max.norms[0]);
+        assert!(number("error.final.north_m") < 0.0 && number("error.max.north_m") > 0.0);
         assert_eq!(number("error.max.east_m"), flight.max.components.position_m[1]);
     }
 

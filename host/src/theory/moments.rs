@@ -115,10 +115,6 @@ impl Moments {
                 couple(turned, turned, 0.5 * q2 * sources.sample_interval_s);
             }
         }
-        for row in 0..9 {
-            for column in 0..9 {
-                to.covariance[row][column] = half[row][column] + half[column][row];
-            }
-        }
+        to.covariance = std::array::from_fn(|i| std::array::from_fn(|j| half[i][j] + half[j][i]));
     }
 }

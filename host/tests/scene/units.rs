@@ -2,6 +2,7 @@
 
 use super::scene;
 use schuler_host::scene::*;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Equal but for the rounding of the conversion.
 #[track_caller]
@@ -107,11 +108,11 @@ fn trajectory_channels() {
     close(motion.roll.offset, 0.27925268031909273);
     close(motion.pitch.rate, -8.7266462599716479e-3);
     assert_eq!(motion.pitch.offset, 0.0);
-    close(motion.yaw.offset, std::f64::consts::PI);
+    close(motion.yaw.offset, PI);
     let [yaw] = motion.yaw.harmonics[..] else { panic!("one harmonic was given") };
     close(yaw.amplitude, 3.4906585039886592e-2);
-    close(yaw.angular_rate, 1.5707963267948966);
-    close(yaw.phase, -1.5707963267948966);
+    close(yaw.angular_rate, FRAC_PI_2);
+    close(yaw.phase, -FRAC_PI_2);
     let [slow, fast] = motion.latitude.harmonics[..] else { panic!("two harmonics were given") };
     close(slow.angular_rate, 8.7266462599716479e-4);
     assert_eq!(slow.phase, 0.0);

@@ -29,8 +29,7 @@ impl<R: Real> Compensated<R> {
             R::of(1.0 / 6.0) - square * (R::of(1.0 / 120.0) - square * R::of(1.0 / 5040.0));
         let swept = angle.cross(velocity);
         let sculling = previous.angle_b.cross(velocity) + previous.velocity_b.cross(angle);
-        let velocity =
-            velocity + swept * first + angle.cross(swept) * second + sculling * twelfth;
+        let velocity = velocity + swept * first + angle.cross(swept) * second + sculling * twelfth;
         Self { rotation: rotation(coned), velocity }
     }
 }
@@ -41,7 +40,8 @@ pub(super) fn rotation<R: Real>(vector: Vector<R>) -> Quaternion<R> {
     // q = [cos ½φ, ½ sinc(½φ) φ], x = ¼φ²: cos = 1 − x/2 + x²/24 − …, sinc = 1 − x/6 + x²/120 − …
     let x = vector.dot(vector) * R::of(0.25);
     let cosine = R::ONE
-        - x * (R::HALF - x * (R::of(1.0 / 24.0) - x * (R::of(1.0 / 720.0) - x * R::of(1.0 / 40320.0))));
+        - x * (R::HALF
+            - x * (R::of(1.0 / 24.0) - x * (R::of(1.0 / 720.0) - x * R::of(1.0 / 40320.0))));
     let sinc = R::ONE
         - x * (R::of(1.0 / 6.0)
             - x * (R::of(1.0 / 120.0) - x * (R::of(1.0 / 5040.0) - x * R::of(1.0 / 362880.0))));

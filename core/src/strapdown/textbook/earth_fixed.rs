@@ -68,8 +68,7 @@ impl<R: Real> TextbookFrame for EarthFixedTextbook<R> {
 
         // q ← q_z(−ζ) ⊗ q ⊗ q(φ)
         let (sine, cosine_less_one) = small_turn(turned * R::HALF);
-        let back =
-            Quaternion::new(R::ONE + cosine_less_one, Vector::new(R::ZERO, R::ZERO, -sine));
+        let back = Quaternion::new(R::ONE + cosine_less_one, Vector::new(R::ZERO, R::ZERO, -sine));
         self.attitude = normalised(back * self.attitude * body.rotation);
     }
 

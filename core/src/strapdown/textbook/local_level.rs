@@ -108,6 +108,14 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
 }
 
 impl<R: Record> Record for LocalLevelTextbook<R> {
-    record!(position, sine, cosine, velocity, attitude, velocity_change, latitude_change,
-        altitude_change);
+    record!(
+        position,
+        sine,
+        cosine,
+        velocity,
+        attitude,
+        velocity_change,
+        latitude_change,
+        altitude_change
+    );
 }

@@ -63,15 +63,8 @@ impl<F: TextbookFrame> Textbook<F> {
     }
 
     /// With a sampling interval in seconds and limits.
-    pub fn with_limits(
-        interval_s: F::Real,
-        limits: Limits<F::Real>,
-    ) -> Result<Self, StartError> {
-        Ok(Self {
-            interval: interval_s,
-            gate: Gate::new(interval_s, limits)?,
-            frame: PhantomData,
-        })
+    pub fn with_limits(interval_s: F::Real, limits: Limits<F::Real>) -> Result<Self, StartError> {
+        Ok(Self { interval: interval_s, gate: Gate::new(interval_s, limits)?, frame: PhantomData })
     }
 }
 

@@ -1,0 +1,86 @@
+//! From errors along the true axes to drift, in which each side has its own north, east and down.
+//!
+//! Here, and only here, the tangent of the latitude comes in. Source: the ψ- and the φ-angle error
+//! models and the turn δθ between their axes, Benson, IEEE Trans. AES-11(4), 1975.
+
+use super::compare::{Drift, POLAR_FRACTION};
+use super::linear::ErrorState;
+use crate::earth::Radii;
+use crate::math::real::Real;
+use crate::math::vector::Vector;
+use crate::trajectory::Motion;
+
+/// How the computed north, east and down turn with the computed position, and what that does to
+/// velocity and attitude: δθ = (δλ cosφ, −δφ, −δλ sinφ).
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MeridianShift<R> {
+    /// Of the truth, m/s.
+    velocity_ned: Vector<R>,
+    /// 1/(R_M + h), 1/m.
+    per_north: R,
+    /// 1/(R_N + h), 1/m.
+    per_east: R,
+    /// tanφ/(R_N + h), 1/m; 0 where meridians are not compared.
+    convergence: R,
+    /// −1 beyond the pole, where the printed north points back; else 1.
+    facing: R,
+}
+
+impl<R: Real> MeridianShift<R> {
+    /// At an instant of a motion, for a horizontal error of a size in metres: as in
+    /// [`compare::drift`](super::compare::drift), meridians are not compared where it exceeds a tenth
+    /// of the distance from the Earth's axis.
+    pub fn new(motion: &Motion<R>, horizontal_error: R) -> Self {
+        let (s, c) = motion.latitude.value.sin_cos();
+        let radii = Radii::at(s, c);
+        let east_radius = radii.prime_vertical + motion.altitude.value;
+        let axis_distance = east_radius * c;
+        let limit = R::of(POLAR_FRACTION) * axis_distance.abs();
+        let polar = limit.less(horizontal_error);
+        let divisor = R::select(polar, R::ONE, axis_distance);
+        Self {
+            velocity_ned: motion.velocity_ned(),
+            per_north: R::ONE / (radii.meridian + motion.altitude.value),
+            per_east: R::ONE / east_radius,
+            convergence: R::select(polar, R::ZERO, s / divisor),
+            facing: R::select(c.less(R::ZERO), -R::ONE, R::ONE),
+        }
+    }
+
+    /// δθ of a position error.
+    fn shift(&self, position: Vector<R>) -> Vector<R> {
+        Vector::new(
+            position.y * self.per_east,
+            -(position.x * self.per_north),
+            -(position.y * self.convergence),
+        )
+    }
+
+    /// Into, and out of, the axes of the printed position.
+    fn face(&self, x: Vector<R>) -> Vector<R> {
+        Vector::new(x.x * self.facing, x.y * self.facing, x.z)
+    }
+
+    /// The drift that an error shows as.
+    pub fn drift(&self, x: &ErrorState<R>) -> Drift<R> {
+        // C_eⁿ(computed) = (I − [δθ×])C_eⁿ(true):  v_computedⁿ − vⁿ = δv − δθ × v,  φ = ψ − δθ
+        let shift = self.shift(x.position);
+        Drift {
+            position_ned: self.face(x.position),
+            velocity_ned: self.face(x.velocity - shift.cross(self.velocity_ned)),
+            attitude_ned: self.face(x.attitude - shift),
+        }
+    }
+
+    /// The error that shows as a drift.
+    pub fn error(&self, drift: &Drift<R>) -> ErrorState<R> {
+        let position = self.face(drift.position_ned);
+        let shift = self.shift(position);
+        ErrorState {
+            position,
+            velocity: self.face(drift.velocity_ned) + shift.cross(self.velocity_ned),
+            attitude: self.face(drift.attitude_ned) + shift,
+        }
+    }
+}

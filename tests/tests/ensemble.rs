@@ -1,0 +1,81 @@
+//! The paper's flight with its sensor errors, many times: does the drift scatter as theory says?
+
+use schuler_host::flight::Instant;
+use schuler_host::scene::builtin;
+use schuler_host::simulate;
+use schuler_host::theory::Theory;
+use schuler_host::units::ARCSECOND;
+
+const SEEDS: u64 = 64;
+const TIMES_S: [f64; 3] = [300.0, 900.0, 1800.0];
+
+/// Quantiles of χ² with 64 · 9 degrees of freedom: 0.05 % below, 0.05 % above (Wilson-Hilferty).
+fn bounds(freedom: f64) -> (f64, f64) {
+    let z = 3.290_526_731_491_926;
+    let quantile = |z: f64| {
+        let k = 2.0 / (9.0 * freedom);
+        freedom * (1.0 - k + z * k.sqrt()).powi(3)
+    };
+    (quantile(-z), quantile(z))
+}
+
+/// The nine numbers of a drift less their mean, in m, m/s, rad.
+fn deviation(instant: &Instant) -> [f64; 9] {
+    let (x, mean) = (&instant.drift, &instant.mean);
+    std::array::from_fn(|i| match i {
+        0..3 => x.position_m[i] - mean.position_m[i],
+        3..6 => x.velocity_m_s[i - 3] - mean.velocity_m_s[i - 3],
+        _ => (x.attitude_arcsec[i - 6] - mean.attitude_arcsec[i - 6]) * ARCSECOND,
+    })
+}
+
+/// xᵀ P⁻¹ x by Cholesky's factor of P scaled to unit variances.
+fn mahalanobis(x: &[f64; 9], covariance: &[[f64; 9]; 9]) -> f64 {
+    let scale: [f64; 9] = std::array::from_fn(|i| covariance[i][i].sqrt());
+    let mut lower = [[0.0; 9]; 9];
+    let mut solved = [0.0; 9];
+    for i in 0..9 {
+        for j in 0..=i {
+            let dot: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
+            let entry = covariance[i][j] / (scale[i] * scale[j]) - dot;
+            lower[i][j] = if i == j { entry.sqrt() } else { entry / lower[j][j] };
+        }
+        let dot: f64 = (0..i).map(|k| lower[i][k] * solved[k]).sum();
+        solved[i] = (x[i] / scale[i] - dot) / lower[i][i];
+    }
+    solved.iter().map(|y| y * y).sum()
+}
+
+#[test]
+fn the_papers_drift_scatters_about_theorys_mean_as_theory_says() {
+    let mut scene = builtin::scene("paper").unwrap();
+    let mut theory = Theory::new(&scene).unwrap();
+    let covariances = TIMES_S.map(|time_s| theory.covariance(time_s));
+    let mut joint = [0.0; 3];
+    let mut single = [[0.0; 9]; 3];
+    for seed in 1..=SEEDS {
+        scene.seed = seed;
+        let mut observe = |instant: &Instant| {
+            if let Some(t) = TIMES_S.iter().position(|&time_s| time_s == instant.time_s) {
+                let x = deviation(instant);
+                joint[t] += mahalanobis(&x, &covariances[t]);
+                for (sum, (i, x)) in single[t].iter_mut().zip(x.iter().enumerate()) {
+                    *sum += x * x / covariances[t][i][i];
+                }
+            }
+            Ok(())
+        };
+        simulate::fly(&scene, false, &mut observe, &|_| {}).unwrap();
+    }
+    let (low, high) = bounds(9.0 * SEEDS as f64);
+    for (t, sum) in joint.iter().enumerate() {
+        println!("{} s: χ² = {sum:.1} of {low:.1} … {high:.1}; each {:.1?}", TIMES_S[t], single[t]);
+        assert!((low..high).contains(sum), "at {} s χ² = {sum}", TIMES_S[t]);
+    }
+    let (low, high) = bounds(SEEDS as f64);
+    for (t, sums) in single.iter().enumerate() {
+        for (i, sum) in sums.iter().enumerate() {
+            assert!((low..high).contains(sum), "component {i} at {} s: χ² = {sum}", TIMES_S[t]);
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! The figures that the README states, each with its bound: accuracy on perfect sensors.
+
+use schuler_host::flight::Flight;
+use schuler_host::scene::{Algorithm, Frame, Precision, Scene, WindowShape, builtin};
+use schuler_host::simulate;
+
+fn fly(name: &str, change: impl Fn(&mut Scene)) -> Flight {
+    let mut scene = builtin::scene(name).unwrap();
+    change(&mut scene);
+    simulate::fly(&scene, false, &mut |_| Ok(()), &|_| {}).unwrap()
+}
+
+fn window(history: usize, block: usize, lookahead: usize) -> Option<WindowShape> {
+    Some(WindowShape { history, block, lookahead })
+}
+
+/// Largest position error over every sample, m, which must not exceed a bound.
+fn holds(name: &str, bound_m: f64, change: impl Fn(&mut Scene)) {
+    let [position_m, ..] = fly(name, change).max.norms;
+    assert!(position_m <= bound_m, "{name}: {position_m:.3e} m exceeds {bound_m:.3e} m");
+}
+
+#[test]
+fn the_papers_flight_to_ten_nanometres_in_both_frames() {
+    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+        for window in [None, window(0, 4, 0), window(2, 4, 2), window(4, 4, 0)] {
+            holds("paper-perfect", 1e-8, |scene| {
+                (scene.navigator.frame, scene.navigator.window) = (frame, window);
+            });
+        }
+    }
+}
+
+#[test]
+fn the_papers_flight_by_the_textbook_to_a_millimetre() {
+    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+        holds("paper-perfect", 1e-3, |scene| {
+            (scene.navigator.frame, scene.navigator.algorithm) = (frame, Algorithm::Textbook);
+        });
+    }
+}
+
+#[test]
+fn the_papers_flight_in_single_precision() {
+    holds("paper-perfect", 0.15, |scene| scene.navigator.precision = Precision::F32);
+}
+
+#[test]
+fn hard_motion() {
+    holds("hard", 1e-6, |scene| scene.navigator.window = window(4, 4, 0));
+    holds("hard", 5e-9, |scene| scene.navigator.window = window(2, 4, 2));
+    holds("hard", 5e-9, |scene| {
+        (scene.navigator.window, scene.navigator.frame) = (window(2, 4, 2), Frame::EarthFixed);
+    });
+    holds("hard", 0.02, |scene| scene.navigator.algorithm = Algorithm::Textbook);
+}
+
+#[test]
+fn manoeuvres_of_ten_g() {
+    holds("manoeuvre", 5e-9, |scene| scene.navigator.window = window(2, 4, 2));
+    holds("manoeuvre", 5e-9, |scene| {
+        (scene.navigator.window, scene.navigator.frame) = (window(2, 4, 2), Frame::EarthFixed);
+    });
+}
+
+#[test]
+fn across_the_pole_and_the_antimeridian() {
+    holds("polar", 1e-8, |_| {});
+    holds("cruise-180", 1e-8, |_| {});
+    holds("cruise-180", 1e-8, |scene| scene.navigator.frame = Frame::EarthFixed);
+}
+
+#[test]
+fn standing_still_and_coning() {
+    holds("stationary", 1e-8, |_| {});
+    holds("coning", 1e-6, |_| {});
+}
+
+#[test]
+fn nothing_skipped_gives_the_same_answer() {
+    for name in ["paper-perfect", "hard", "stationary", "polar"] {
+        let scene = builtin::scene(name).unwrap();
+        let planned = fly(name, |_| {});
+        let forced = simulate::fly(&scene, true, &mut |_| Ok(()), &|_| {}).unwrap();
+        assert!(!planned.skipped.is_empty() && forced.skipped.is_empty(), "{name}");
+        let gap: f64 = (0..3)
+            .map(|i| planned.last.drift.position_m[i] - forced.last.drift.position_m[i])
+            .map(|d| d * d)
+            .sum();
+        assert!(gap.sqrt() <= 1.5e-8, "{name}: {:.2e} m apart", gap.sqrt());
+    }
+}

@@ -18,4 +18,5 @@ pub mod scene;
 pub mod simulate;
 pub mod source;
 pub mod theory;
+pub mod timing;
 pub mod units;

@@ -1,19 +1,18 @@
-//! What a run does and what it can leave out, decided once; and what each part costs.
+//! What a run does and what it can leave out, decided once; what is left out is measured.
 
-use crate::flight::{Skipped, StageTimes};
-use crate::navigator::Navigate;
+use crate::flight::Skipped;
+use crate::navigator::{self, Navigate};
 use crate::scene::{Algorithm, Precision, Scene, WindowShape};
-use crate::source::{Source, SourceError};
+use crate::source::Source;
+use crate::theory::Theory;
+use crate::timing;
 use schuler::imu::Quadrature;
-use schuler::sample::Increment;
+use schuler::math::compensated::Pair;
 use schuler::strapdown::plan::{self, Shape};
 use schuler::trajectory::Trajectory as _;
-use std::hint::black_box;
-use std::time::Instant;
 
-/// Samples that a stage is timed over, at most, and how often.
-const TIMED_SAMPLES: u64 = 2000;
-const PASSES: usize = 7;
+/// Samples that what is skipped is measured over, at most.
+const SKIPPED_SAMPLES: u64 = 500;
 
 /// What a run does.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,20 +34,18 @@ impl From<Shape> for WindowShape {
 impl Plan {
     /// Of a scene; `force_all` skips nothing.
     pub fn new(scene: &Scene, source: &Source, force_all: bool) -> Self {
-        let planned = || {
-            if force_all {
-                return plan::UNKNOWN.into();
-            }
-            let bandwidth = source.course.bound().bandwidth;
-            let single = scene.navigator.precision == Precision::F32;
-            plan::window(bandwidth, 1.0 / scene.rate_hz, single).into()
+        let bound = source.course.bound();
+        let single = scene.navigator.precision == Precision::F32;
+        let shape = if force_all {
+            plan::UNKNOWN
+        } else {
+            plan::window(bound.bandwidth, 1.0 / scene.rate_hz, single)
         };
-        let window = scene.navigator.window.unwrap_or_else(planned);
+        let window = scene.navigator.window.unwrap_or(shape.into());
         let order = if force_all {
             plan::HIGHEST_ORDER
         } else {
-            let angular_rate = source.course.bound().angular_rate;
-            plan::order(angular_rate, window.block as f64 / scene.rate_hz)
+            plan::order(bound.angular_rate, window.block as f64 / scene.rate_hz)
         };
         Self { window, order, force_all }
     }
@@ -58,115 +55,76 @@ impl Plan {
         (scene.navigator.algorithm == Algorithm::Taylor).then_some(self.window)
     }
 
-    /// What is skipped, each with what that saves.
-    pub fn skipped(&self, scene: &Scene, source: &Source, no_theory: bool) -> Vec<Skipped> {
+    /// What is skipped, each with what that saves against a run that skips nothing.
+    pub fn skipped(
+        &self,
+        scene: &Scene,
+        source: &Source,
+        navigator: &dyn Navigate,
+    ) -> Vec<Skipped> {
         let mut skipped = Vec::new();
+        let Ok(forced) = Source::new(scene, true) else { return skipped };
         if self.force_all {
             return skipped;
         }
-        let mut skip = |what: &str, why: &str, saved: String| {
-            let (what, why) = (what.to_owned(), why.to_owned());
-            skipped.push(Skipped { what, why, saved });
+        let mut skip = |what: String, why: &str, with_ns: f64, without_ns: f64| {
+            if with_ns > without_ns {
+                let saved = format!("{:.0} ns per sample", with_ns - without_ns);
+                skipped.push(Skipped { what, why: why.to_owned(), saved });
+            }
         };
-        let forced = Source::new(scene, true);
+        let samples = scene.samples().min(SKIPPED_SAMPLES);
+        let increments = timing::perfect(source, samples);
+
         let finest = Quadrature::FINEST.evaluations();
         let used = source.quadrature.evaluations();
-        let saved = |planned: f64, forced: &Result<Source, SourceError>, emulated: bool| {
-            let all = forced.as_ref().map_or(planned, |source| source_time(source, emulated));
-            format!("{:.0} ns per sample", (all - planned).max(0.0))
-        };
-        if source.is_constant() {
-            skip(
-                "evaluation of the motion",
-                "every channel is constant, so one increment serves for all samples",
-                saved(source_time(source, false), &forced, false),
-            );
-        } else if used < finest {
-            skip(
-                &format!("{} of {finest} evaluations of the motion per sample", finest - used),
-                &format!("{used} reach the rounding floor for a motion this slow"),
-                saved(source_time(source, false), &forced, false),
-            );
+        if source.is_constant() || used < finest {
+            let (what, why) = if source.is_constant() {
+                ("evaluation of the motion".to_owned(), "every channel is constant")
+            } else {
+                let what = format!("{} of {finest} evaluations per sample", finest - used);
+                (what, "fewer reach the rounding floor for a motion this slow")
+            };
+            let with_ns = timing::trajectory(&forced, samples);
+            skip(what, why, with_ns, timing::trajectory(source, samples));
         }
         if source.emulator.is_none() {
-            let emulation = source_time(source, true) - source_time(source, false);
+            let with_ns = timing::emulator(&forced, &increments);
+            skip("the sensor emulator".to_owned(), "the sensors are perfect", with_ns, 0.0);
+        }
+        let widest = Self { window: plan::UNKNOWN.into(), order: plan::HIGHEST_ORDER, ..*self };
+        if scene.navigator.algorithm == Algorithm::Taylor
+            && let Some(all) = widest.start(scene, source)
+        {
+            let with_ns = timing::navigation(all.as_ref(), &increments);
+            let without_ns = timing::navigation(navigator, &increments);
+            let WindowShape { history, block, lookahead } = widest.window;
             skip(
-                "the sensor emulator",
-                "the scene's sensors are perfect",
-                saved(source_time(source, false) + emulation.max(0.0), &forced, true),
+                format!("the window {history},{block},{lookahead} and its full series"),
+                "a cheaper one is planned or asked for",
+                with_ns,
+                without_ns,
             );
         }
-        let window = self.window;
-        let widest = WindowShape::from(plan::UNKNOWN);
-        let is_planned = scene.navigator.window.is_none() && self.flown_window(scene).is_some();
-        if is_planned && window != widest {
-            let WindowShape { history, block, lookahead } = window;
-            skip(
-                "wider windows",
-                &format!("{history},{block},{lookahead} reaches the rounding floor here"),
-                format!("{} samples of history and look-ahead", widest.history + widest.lookahead),
-            );
-        }
-        if no_theory {
-            skip("theory", "the scene has no errors, so no drift is expected", "all of it".into());
+        let mut erring = scene.clone();
+        erring.gyro.constant = Some([1e-9; 3]);
+        if let (Ok(theory), Ok(mut forced)) = (Theory::new(scene), Theory::new(&erring))
+            && theory.is_zero()
+        {
+            let with_ns = timing::per_sample(samples, &mut || {
+                for n in 1..=samples {
+                    std::hint::black_box(forced.at(source.time_s(n)));
+                }
+            });
+            skip("theory".to_owned(), "without errors no drift is expected", with_ns, 0.0);
         }
         skipped
     }
 
-    /// What each stage costs alone.
-    pub fn time(&self, scene: &Scene, source: &Source, navigator: &dyn Navigate) -> StageTimes {
-        let samples = increments(source, timed(scene));
-        let mut fly = navigator.fly_unread(&samples);
-        StageTimes {
-            trajectory_ns: source_time(source, false),
-            emulate_ns: emulator_time(source, &samples),
-            navigate_ns: per_sample(samples.len(), &mut fly),
-        }
+    /// The navigator of this plan, at the scene's start without its initial error.
+    fn start(&self, scene: &Scene, source: &Source) -> Option<Box<dyn Navigate>> {
+        let interval_s = Pair::new(scene.rate_hz).reciprocal();
+        let initial = source.motion(0).initial();
+        navigator::start(&scene.navigator, self.window, self.order, interval_s, &initial).ok()
     }
-}
-
-fn timed(scene: &Scene) -> u64 {
-    scene.samples().min(TIMED_SAMPLES)
-}
-
-/// The first perfect increments.
-fn increments(source: &Source, samples: u64) -> Vec<Increment<f64>> {
-    (1..=samples).map(|n| source.perfect(source.time_s(n - 1), source.time_s(n))).collect()
-}
-
-/// Nanoseconds per sample: the median of some passes.
-fn per_sample(samples: usize, pass: &mut dyn FnMut()) -> f64 {
-    let mut times: Vec<_> = (0..PASSES)
-        .map(|_| {
-            let start = Instant::now();
-            pass();
-            start.elapsed().as_secs_f64()
-        })
-        .collect();
-    times.sort_by(f64::total_cmp);
-    1e9 * times[PASSES / 2] / samples.max(1) as f64
-}
-
-/// Truth and perfect increments, with or without the emulator.
-fn source_time(source: &Source, emulated: bool) -> f64 {
-    const SAMPLES: u64 = 500;
-    if emulated {
-        return emulator_time(source, &increments(source, SAMPLES)) + source_time(source, false);
-    }
-    per_sample(SAMPLES as usize, &mut || {
-        for n in 1..=SAMPLES {
-            black_box(source.perfect(source.time_s(n - 1), source.time_s(n)));
-        }
-    })
-}
-
-/// The emulator alone.
-fn emulator_time(source: &Source, samples: &[Increment<f64>]) -> f64 {
-    let Some(emulator) = &source.emulator else { return 0.0 };
-    per_sample(samples.len(), &mut || {
-        let mut state = emulator.start(0, 0);
-        for sample in samples {
-            black_box(emulator.emulate(&mut state, sample));
-        }
-    })
 }

@@ -8,6 +8,7 @@ use crate::plan::Plan;
 use crate::scene::{Scene, Vertical};
 use crate::source::{Source, SourceError};
 use crate::theory::Theory;
+use crate::timing;
 use crate::units::{ARCSECOND, DEGREE};
 use schuler::drift::compare::{Drift, drift};
 use schuler::math::compensated::Pair;
@@ -157,7 +158,7 @@ pub fn fly(
         scene: scene.clone(),
         samples,
         window: plan.flown_window(scene),
-        skipped: plan.skipped(scene, &source, theory.is_zero()),
+        skipped: plan.skipped(scene, &source, navigator.as_ref()),
         digest: format!("{:016x}", navigator.digest()),
         last: log.last,
         max: log.max,
@@ -165,7 +166,7 @@ pub fn fly(
         first_minute: log.first_minute,
         saturated: stream.saturated(),
         lost: bridge.lost,
-        time: Some(plan.time(scene, &source, navigator.as_ref())),
+        time: Some(timing::stages(scene, &source, navigator.as_ref())),
     })
 }
 

@@ -11,8 +11,10 @@ use crate::math::twin::Twin as _;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 
-/// Most samples that a window may have.
+/// Most samples that a window may interpolate.
 pub const MOST_SAMPLES: usize = 12;
+/// Most samples that a straight line is fitted to.
+const LONGEST_BLOCK: usize = 20;
 
 /// Coefficients of angular rate and specific force over a block, per unit of σ.
 #[derive(Clone, Copy, Debug)]
@@ -54,11 +56,12 @@ impl<R: Real, const K: usize> Fit<R, K> {
     /// Of any number of samples up to `K`, with the table worked out on the spot.
     pub fn of_any(samples: &[Increment<R>], history: usize, block: usize) -> Self {
         let mut fit = Self { rate: [Vector::ZERO; K], force: [Vector::ZERO; K] };
-        let coefficients = fit.rate.iter_mut().zip(fit.force.iter_mut());
-        for (k, (rate, force)) in coefficients.enumerate().take(samples.len()) {
-            for (j, sample) in samples.iter().enumerate() {
-                let (numerator, denominator) = interpolating(history, block, samples.len(), k, j);
-                let a = R::ratio(numerator, denominator);
+        let count = samples.len().min(MOST_SAMPLES);
+        let table = Table::interpolating(history, block, count);
+        let rows = fit.rate.iter_mut().zip(fit.force.iter_mut()).zip(&table.numerators);
+        for ((rate, force), row) in rows.take(count) {
+            for (sample, &numerator) in samples.iter().zip(row) {
+                let a = R::ratio(numerator, table.denominator);
                 *rate = *rate + sample.angle_b * a;
                 *force = *force + sample.velocity_b * a;
             }
@@ -69,13 +72,18 @@ impl<R: Real, const K: usize> Fit<R, K> {
 
 /// The table of a window in double precision: interpolating, or a straight line where K = 2 < P.
 pub const fn table_f64<const P: usize, const K: usize>(h: usize, b: usize) -> [[f64; P]; K] {
+    let exact = if K == P {
+        Table::interpolating(h, b, P)
+    } else {
+        assert!(K == 2 && h == 0 && b == P, "a line is fitted over the block alone");
+        Table::straight(b)
+    };
     let mut table = [[0.0; P]; K];
     let mut k = 0;
     while k < K {
         let mut j = 0;
         while j < P {
-            let (numerator, denominator) = entry::<P, K>(h, b, k, j);
-            table[k][j] = numerator as f64 / denominator as f64;
+            table[k][j] = rounded(exact.numerators[k][j], exact.denominator);
             j += 1;
         }
         k += 1;
@@ -99,76 +107,84 @@ pub const fn table_f32<const P: usize, const K: usize>(h: usize, b: usize) -> [[
     table
 }
 
-const fn entry<const P: usize, const K: usize>(
-    h: usize,
-    b: usize,
-    k: usize,
-    j: usize,
-) -> (i128, i128) {
-    if K == P {
-        interpolating(h, b, P, k, j)
-    } else {
-        assert!(K == 2 && h == 0 && b == P, "a line is fitted over the block alone");
-        straight(b, k, j)
-    }
+/// A_kj as integers over one denominator.
+struct Table {
+    numerators: [[i128; LONGEST_BLOCK]; MOST_SAMPLES],
+    denominator: i128,
 }
 
-/// A_kj as a ratio, interpolating.
-const fn interpolating(h: usize, b: usize, p: usize, k: usize, j: usize) -> (i128, i128) {
-    // Edges at sᵢ = 2i − (2H + B), σ = s/B. The integral F(s) has F(s_m) = Σ_{j<m} Δθⱼ, so Δθⱼ's share
-    // is Σ_{m>j} ℓ_m(s), ℓ_m = Π_{i≠m}(s − sᵢ)/(s_m − sᵢ), Π_{i≠m}(s_m − sᵢ) = 2ᴾ(−1)ᴾ⁻ᵐ m!(P − m)!.
-    // A_kj = (k + 1) Bᵏ⁺¹ [sᵏ⁺¹] Σ_{m>j} (−1)ᴾ⁻ᵐ C(P, m) Π_{i≠m}(s − sᵢ) / (2ᴾ P!)
-    let origin = (2 * h + b) as i128;
-    let mut numerator: i128 = 0;
-    let mut denominator: i128 = 1;
-    let mut binomial: i128 = 1;
-    let mut m = 0;
-    while m <= p {
-        if m > 0 {
+impl Table {
+    /// Through all of P samples.
+    const fn interpolating(h: usize, b: usize, p: usize) -> Self {
+        // Edges at sᵢ = 2i − (2H + B), σ = s/B. The integral F(s) has F(s_m) = Σ_{j<m} Δθⱼ, so Δθⱼ's share
+        // is Σ_{m>j} ℓ_m(s), ℓ_m = Π_{i≠m}(s − sᵢ)/(s_m − sᵢ), Π_{i≠m}(s_m − sᵢ) = 2ᴾ(−1)ᴾ⁻ᵐ m!(P − m)!.
+        // A_kj = (k + 1) Bᵏ⁺¹ [sᵏ⁺¹] Σ_{m>j} (−1)ᴾ⁻ᵐ C(P, m) Π_{i≠m}(s − sᵢ) / (2ᴾ P!)
+        let mut numerators = [[0; LONGEST_BLOCK]; MOST_SAMPLES];
+        let mut denominator = 1;
+        let mut binomial = 1;
+        let mut m = 1;
+        while m <= p {
             binomial = binomial * (p + 1 - m) as i128 / m as i128;
             denominator *= 2 * m as i128;
-        }
-        if m > j {
-            let mut product = [0i128; MOST_SAMPLES + 2];
-            product[0] = 1;
-            let mut i = 0;
-            while i <= p {
-                if i != m {
-                    let edge = 2 * i as i128 - origin;
-                    let mut power = p;
-                    while power > 0 {
-                        product[power] = product[power - 1] - edge * product[power];
-                        power -= 1;
-                    }
-                    product[0] *= -edge;
+            let product = product_without(m, h, b, p);
+            let sign = if (p - m).is_multiple_of(2) { 1 } else { -1 };
+            let mut scale = sign * binomial;
+            let mut k = 0;
+            while k < p {
+                scale *= b as i128;
+                let share = scale * product[k + 1] * (k + 1) as i128;
+                let mut j = 0;
+                while j < m {
+                    numerators[k][j] += share;
+                    j += 1;
                 }
-                i += 1;
+                k += 1;
             }
-            let sign = if (p - m) % 2 == 0 { 1 } else { -1 };
-            numerator += sign * binomial * product[k + 1];
+            m += 1;
         }
-        m += 1;
+        Self { numerators, denominator }
     }
-    let mut power = 0;
-    while power <= k {
-        numerator *= b as i128;
-        power += 1;
+
+    /// A straight line by least squares over a block.
+    const fn straight(b: usize) -> Self {
+        // The columns of B are orthogonal: A₀ⱼ = ½, A₁ⱼ = cⱼ B/(2Σc²), cⱼ = (2j + 1 − B)/B the middle of
+        // sample j, Σc² = (B² − 1)/(3B)
+        let mut numerators = [[0; LONGEST_BLOCK]; MOST_SAMPLES];
+        let mut j = 0;
+        while j < b {
+            numerators[0][j] = (b * b - 1) as i128;
+            numerators[1][j] = 3 * b as i128 * (2 * j as i128 + 1 - b as i128);
+            j += 1;
+        }
+        Self { numerators, denominator: 2 * (b * b - 1) as i128 }
     }
-    reduced(numerator * (k + 1) as i128, denominator)
 }
 
-/// A_kj as a ratio, a straight line by least squares over the block.
-const fn straight(b: usize, k: usize, j: usize) -> (i128, i128) {
-    // The columns of B are orthogonal: A₀ⱼ = ½, A₁ⱼ = cⱼ B/(2Σc²), cⱼ = (2j + 1 − B)/B the middle of
-    // sample j, Σc² = (B² − 1)/(3B)
-    let (b, j) = (b as i128, j as i128);
-    if k == 0 { (1, 2) } else { reduced(3 * (2 * j + 1 - b) * b, 2 * (b * b - 1)) }
+/// The coefficients of Π_{i≠m}(s − sᵢ) over the edges of P samples.
+const fn product_without(m: usize, h: usize, b: usize, p: usize) -> [i128; MOST_SAMPLES + 1] {
+    let mut product = [0; MOST_SAMPLES + 1];
+    product[0] = 1;
+    let mut i = 0;
+    while i <= p {
+        if i != m {
+            let edge = 2 * i as i128 - (2 * h + b) as i128;
+            let mut power = p;
+            while power > 0 {
+                product[power] = product[power - 1] - edge * product[power];
+                power -= 1;
+            }
+            product[0] *= -edge;
+        }
+        i += 1;
+    }
+    product
 }
 
-const fn reduced(numerator: i128, denominator: i128) -> (i128, i128) {
+/// A ratio in lowest terms, divided once.
+const fn rounded(numerator: i128, denominator: i128) -> f64 {
     let (mut a, mut b) = (numerator.abs(), denominator);
     while b != 0 {
         (a, b) = (b, a % b);
     }
-    if a == 0 { (0, 1) } else { (numerator / a, denominator / a) }
+    if a == 0 { 0.0 } else { (numerator / a) as f64 / (denominator / a) as f64 }
 }

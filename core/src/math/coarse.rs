@@ -1,0 +1,141 @@
+//! `Coarse`: single precision with micromath's fast, rough functions.
+//!
+//! A sine is good to about 1e-3 and a square root to a few per cent: a tier to weigh against the others, never
+//! one to navigate with. Sums, products and quotients are `f32`'s own.
+
+use super::real::{Real, Scalar};
+use super::twin::Both;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use micromath::F32Ext;
+
+/// A single-precision number whose functions are micromath's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Coarse(pub f32);
+
+macro_rules! operator {
+    ($($op:ident $f:ident),+) => {
+        $(impl $op for Coarse {
+            type Output = Self;
+            #[inline(always)]
+            fn $f(self, b: Self) -> Self {
+                Self($op::$f(self.0, b.0))
+            }
+        })+
+    };
+}
+
+operator!(Add add, Sub sub, Mul mul, Div div);
+
+impl Neg for Coarse {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Real for Coarse {
+    type Mask = bool;
+    type Twin = Both<Self>;
+    const ZERO: Self = Self(0.0);
+    const ONE: Self = Self(1.0);
+    const TWO: Self = Self(2.0);
+    const HALF: Self = Self(0.5);
+    const INVERSE: [Self; 24] = {
+        let mut table = [Self(0.0); 24];
+        let mut n = 1;
+        while n < 24 {
+            table[n] = Self(<f32 as Real>::INVERSE[n]);
+            n += 1;
+        }
+        table
+    };
+
+    #[inline(always)]
+    fn of(literal: f64) -> Self {
+        Self(literal as f32)
+    }
+    #[inline(always)]
+    fn residual(literal: f64) -> Self {
+        Self(<f32 as Real>::residual(literal))
+    }
+    #[inline(always)]
+    fn entry(single: f32, _: f64) -> Self {
+        Self(single)
+    }
+    #[inline(always)]
+    fn count(n: u32) -> Self {
+        Self(n as f32)
+    }
+    fn ratio(numerator: i128, denominator: i128) -> Self {
+        Self(<f32 as Real>::ratio(numerator, denominator))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(F32Ext::sqrt(self.0))
+    }
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        (Self(F32Ext::sin(self.0)), Self(F32Ext::cos(self.0)))
+    }
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        Self(F32Ext::atan2(self.0, x.0))
+    }
+    #[inline]
+    fn exp_m1(self) -> Self {
+        Self(F32Ext::exp(self.0) - 1.0)
+    }
+    #[inline]
+    fn ln(self) -> Self {
+        Self(F32Ext::ln(self.0))
+    }
+    #[inline]
+    fn round(self) -> Self {
+        Self(F32Ext::round(self.0))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(f32::abs(self.0))
+    }
+    #[inline(always)]
+    fn upper_half(self) -> Self {
+        Self(Real::upper_half(self.0))
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+    #[inline(always)]
+    fn any(mask: bool) -> bool {
+        mask
+    }
+    #[inline(always)]
+    fn is_within(self, bound: Self) -> bool {
+        f32::abs(self.0) <= bound.0
+    }
+}
+
+impl Scalar for Coarse {
+    #[inline(always)]
+    fn to_bits(self) -> u64 {
+        self.0.to_bits().into()
+    }
+    #[inline(always)]
+    fn from_bits(bits: u64) -> Self {
+        Self(f32::from_bits(bits as u32))
+    }
+    #[inline(always)]
+    fn widen(self) -> f64 {
+        self.0.into()
+    }
+    #[inline(always)]
+    fn narrow(x: f64) -> Self {
+        Self(x as f32)
+    }
+}

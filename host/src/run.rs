@@ -1,9 +1,8 @@
 //! `schuler run`: the main job.
 
 use crate::cli::RunArgs;
-use crate::input::{Complaint, InputError};
 use crate::progress::Progress;
-use crate::report::{self, DriftCsv, WriteError};
+use crate::report::{self, DriftCsv};
 use crate::simulate::{self, FlightError};
 use std::path::PathBuf;
 
@@ -11,31 +10,20 @@ use std::path::PathBuf;
 pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
-    std::fs::create_dir_all(&directory).map_err(|error| {
-        let complaint = Complaint::new(format!("cannot be created: {error}"), "");
-        InputError::file(&directory.display().to_string(), complaint)
-    })?;
     let progress = Progress::new(scene.samples());
-    let mut drift = DriftCsv::create(&directory.join("drift.csv")).map_err(unwritten)?;
-    let flight = simulate::fly(
-        &scene,
-        args.force_all,
-        &mut |instant| drift.row(instant).map_err(unwritten),
-        &|sample| progress.reach(sample),
-    )?;
+    let mut drift = DriftCsv::create(&directory.join("drift.csv"))?;
+    let flight =
+        simulate::fly(&scene, args.force_all, &mut |instant| drift.row(instant), &|sample| {
+            progress.reach(sample)
+        })?;
     progress.finish();
-    drift.finish().map_err(unwritten)?;
+    drift.finish()?;
     if args.no_report {
-        report::summary::write(&flight, &directory).map_err(unwritten)?;
+        report::summary::write(&flight, &directory)?;
     } else {
-        report::write(&flight, &directory).map_err(unwritten)?;
+        report::write(&flight, &directory)?;
     }
     print!("{}", report::table(&flight));
     println!("written to {}", directory.display());
     Ok(())
-}
-
-fn unwritten(error: WriteError) -> InputError {
-    let complaint = Complaint::new(format!("cannot be written: {}", error.source), "");
-    InputError::file(&error.path.display().to_string(), complaint)
 }

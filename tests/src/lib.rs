@@ -1,1 +1,107 @@
-//! What crosses the crates: see `tests/`.
+//! What the tests share: scenes as streams of perfect samples, the bits of states, numbers to try.
+
+use schuler::drift::compare::drift;
+use schuler::math::compensated::Pair;
+use schuler::math::vector::Vector;
+use schuler::record::Record;
+use schuler::sample::Increment;
+use schuler::solution::Solution;
+use schuler::strapdown::frame::Output as _;
+use schuler::strapdown::mechanization::Mechanization;
+use schuler_host::scene::builtin;
+use schuler_host::source::Source;
+
+/// A built-in scene's motion with its perfect samples.
+pub struct Course {
+    /// Truth and quadrature.
+    pub source: Source,
+    /// Sampling interval, s.
+    pub interval_s: Pair<f64>,
+    /// Perfect increments, from the first.
+    pub samples: Vec<Increment<f64>>,
+}
+
+impl Course {
+    /// Of a built-in scene, at its own rate times `faster`, over so many seconds at most.
+    pub fn new(scene: &str, faster: f64, seconds: f64) -> Self {
+        let mut scene = builtin::scene(scene).unwrap();
+        (scene.gyro, scene.accelerometer) = Default::default();
+        scene.rate_hz *= faster;
+        scene.duration_s = scene.duration_s.min(seconds);
+        let source = Source::new(&scene, false).unwrap();
+        let sample = |n| source.perfect(source.time_s(n - 1), source.time_s(n));
+        let samples = (1..=scene.samples()).map(sample).collect();
+        Self { source, interval_s: Pair::new(scene.rate_hz).reciprocal(), samples }
+    }
+
+    /// The true state at the start, to twice the digits.
+    pub fn initial(&self) -> Solution<f64> {
+        self.source.motion(0).initial()
+    }
+
+    /// Distance of a computed position from the truth at the end of a sample, m.
+    pub fn miss(&self, sample: u64, computed: &Solution<f64>) -> f64 {
+        drift(computed, &self.source.truth(sample)).position_ned.norm()
+    }
+
+    /// Every row of a flight over all samples; each sample has one, in order.
+    pub fn fly<M: Mechanization<Real = f64>>(&self, mechanization: &M) -> Vec<Solution<f64>> {
+        let mut rows = Vec::with_capacity(self.samples.len());
+        let mut read = |n: u64, row: M::Output| {
+            rows.push(row.wide());
+            assert_eq!(n, rows.len() as u64);
+        };
+        let mut state = mechanization.start(&self.initial()).unwrap();
+        for &sample in &self.samples {
+            mechanization.push_rows(&mut state, sample, &mut read).unwrap();
+        }
+        mechanization.finish_rows(&mut state, &mut read);
+        assert_eq!(rows.len(), self.samples.len());
+        rows
+    }
+
+    /// The largest distance from the truth over every row of a flight, m.
+    pub fn largest_miss<M: Mechanization<Real = f64>>(&self, mechanization: &M) -> f64 {
+        let rows = self.fly(mechanization);
+        largest(rows.iter().zip(1..).map(|(row, n)| self.miss(n, row)))
+    }
+}
+
+/// The largest of some numbers; NaN if there is one.
+pub fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().fold(0.0, |a, b| if a.is_nan() || a > b { a } else { b })
+}
+
+/// The bits of every field.
+pub fn bits<S: Record + Copy>(state: &S) -> Vec<u64> {
+    let mut words = Vec::new();
+    let mut copy = *state;
+    copy.record("", &mut |_, word| {
+        words.push(word);
+        word
+    });
+    words
+}
+
+/// Reproducible numbers to try: Steele, Lea and Flood's SplitMix64.
+pub struct Numbers(pub u64);
+
+impl Numbers {
+    /// Sixty-four bits.
+    pub fn word(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        x ^ (x >> 31)
+    }
+
+    /// Evenly within ±bound.
+    pub fn within(&mut self, bound: f64) -> f64 {
+        bound * ((self.word() >> 11) as f64 * 2.0_f64.powi(-52) - 1.0)
+    }
+
+    /// Each component evenly within ±bound.
+    pub fn vector(&mut self, bound: f64) -> Vector<f64> {
+        Vector::new((), (), ()).map(|()| self.within(bound))
+    }
+}

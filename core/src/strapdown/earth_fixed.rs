@@ -169,7 +169,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let back = turn_back(half_sine, half_cosine_less_one);
         let dq = back * attitude.value();
         attitude.accumulate(dq);
-        print(position, velocity, attitude)
+        solution(position, velocity, attitude)
     }
 
     fn hold_vertical(&mut self, altitude: R, down: R) {
@@ -183,13 +183,13 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
 
     #[inline]
     fn output(&self) -> EarthFixedSolution<R> {
-        print(self.position, self.velocity, self.attitude)
+        solution(self.position, self.velocity, self.attitude)
     }
 }
 
 /// The velocity against the Earth is v − ω × r.
 #[inline]
-fn print<R: Real, S: Accumulate<Real = R>>(
+fn solution<R: Real, S: Accumulate<Real = R>>(
     position: Vector<S>,
     velocity: Vector<S>,
     attitude: Quaternion<S>,

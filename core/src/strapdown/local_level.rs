@@ -6,6 +6,7 @@
 
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
+use super::displacement::displacement;
 use super::frame::Frame;
 use super::meridian::{Meridian, PlaceChange, curvature};
 use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic, SOMIGLIANA, height_factor};
@@ -56,35 +57,6 @@ fn gravity_excess<R: Real>(sine: R, altitude: R, curvature: R) -> R {
     let a = somigliana + (R::ONE + somigliana) * curvature;
     let b = height_factor(s2, altitude);
     R::of(EQUATORIAL_GRAVITY) * (a + (b + a * b))
-}
-
-/// Displacements over a time t from v₀ and the net velocity integral, in n0.
-struct Displacement<R> {
-    /// d: change of position plus the frame's own motion, inertially, m.
-    inertial: Vector<R>,
-    /// D: relative to the Earth, m.
-    relative: Vector<R>,
-}
-
-/// `low` is what `time` was rounded by, and `velocity_low` what `velocity` was.
-#[inline(always)]
-fn displacement<R: Real>(
-    velocity: Vector<R>,
-    net: Vector<R>,
-    omega: Vector<R>,
-    time: R,
-    low: Vector<R>,
-) -> Displacement<R> {
-    let t2 = time * time;
-    // ∫d = v₀T²/2 + (T/3)net − Ω×(v₀T³/6 + net·T²/12),  ∬d = v₀T³/6 + net·T²/12 − Ω×v₀T⁴/24
-    let second = velocity * (t2 * time * R::of(1.0 / 6.0)) + net * (t2 * R::of(1.0 / 12.0));
-    let first = velocity * (t2 * R::HALF) + net * (time * R::of(1.0 / 3.0)) - omega.cross(second);
-    // d = v₀T + net − Ω×∫d
-    let inertial = velocity * time + (net - omega.cross(first) + low);
-    // D = d − Ω×(Td − ∫d) + Ω×(Ω×(½T²d − T∫d + ∬d))
-    let drag = omega.cross(inertial * time - first);
-    let twice = omega.cross(omega.cross(inertial * (t2 * R::HALF) - first * time + second));
-    Displacement { inertial, relative: inertial - drag + twice }
 }
 
 impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
@@ -271,7 +243,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         attitude.accumulate(self.attitude.value() * body.rotation);
         let dq = back * attitude.value();
         attitude.accumulate(dq);
-        print(position, v, attitude)
+        solution(position, v, attitude)
     }
 
     fn hold_vertical(&mut self, altitude: R, down: R) {
@@ -282,12 +254,12 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
 
     #[inline]
     fn output(&self) -> Solution<R> {
-        print(self.position, self.velocity, self.attitude)
+        solution(self.position, self.velocity, self.attitude)
     }
 }
 
 #[inline]
-fn print<R: Real, S: Accumulate<Real = R>>(
+fn solution<R: Real, S: Accumulate<Real = R>>(
     position: Geodetic<S>,
     velocity: Vector<S>,
     attitude: Quaternion<S>,

@@ -1,6 +1,7 @@
 //! What every mechanization has in common: how it is started and fed, and what it refuses.
 
 use super::frame::Output;
+use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Solution;
@@ -148,8 +149,8 @@ impl<R: Real> Gate<R> {
     }
 }
 
-/// Whether an initial solution can be right.
-pub(super) fn check_start<R: Real>(initial: &Solution<R>) -> Result<(), StartError> {
+/// An initial solution, if it can be right, its attitude brought to unit length.
+pub(super) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>, StartError> {
     let position = initial.position.map(|c| c.hi);
     let pole = R::of(core::f64::consts::FRAC_PI_2 * (1.0 + 1e-7));
     let on_earth = position.latitude.is_within(pole)
@@ -165,5 +166,13 @@ pub(super) fn check_start<R: Real>(initial: &Solution<R>) -> Result<(), StartErr
     if !(q.dot(q) - R::ONE).is_within(R::of(2e-3)) {
         return Err(StartError::Attitude);
     }
-    Ok(())
+    let mut admitted = *initial;
+    for _ in 0..3 {
+        // q ← q(3 − |q|²)/2
+        let q = admitted.attitude;
+        let square = q.w * q.w + q.v.dot(q.v);
+        let scale = (Pair::new(R::of(3.0)) - square) * Pair::new(R::HALF);
+        admitted.attitude = q * scale;
+    }
+    Ok(admitted)
 }

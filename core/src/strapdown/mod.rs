@@ -2,6 +2,7 @@
 
 pub mod block_time;
 pub mod body;
+mod displacement;
 pub mod earth_fixed;
 pub mod fit;
 pub mod frame;
@@ -11,5 +12,6 @@ pub mod mechanization;
 pub mod meridian;
 pub mod navigator;
 pub mod plan;
+mod rows;
 pub mod textbook;
 pub mod window;

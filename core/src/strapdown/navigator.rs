@@ -7,7 +7,8 @@ use super::block_time::BlockTime;
 use super::body::{self, BodyMotion};
 use super::fit::{Fit, MOST_SAMPLES};
 use super::frame::Frame;
-use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, check_start};
+use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, admit_start};
+use super::rows::{Every, Read, Unread};
 use super::window::{BlockSeries, FIRST_SAMPLES, LINE_LAST_SAMPLES, Window, sum};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
@@ -58,34 +59,6 @@ impl<F: Frame, W: Window> State<F, W> {
     }
 }
 
-/// Who reads the rows.
-pub trait Read<O> {
-    /// Whether rows inside a block are wanted at all.
-    const EVERY_ROW: bool;
-    /// A row: the number of samples that lie behind it, and the navigation there.
-    fn row(&mut self, samples: u64, output: O);
-}
-
-/// Nobody reads rows: the state at a block's end is all.
-struct Unread;
-
-impl<O> Read<O> for Unread {
-    const EVERY_ROW: bool = false;
-    #[inline(always)]
-    fn row(&mut self, _: u64, _: O) {}
-}
-
-/// A closure reads every row.
-struct Every<C>(C);
-
-impl<O, C: FnMut(u64, O)> Read<O> for Every<C> {
-    const EVERY_ROW: bool = true;
-    #[inline(always)]
-    fn row(&mut self, samples: u64, output: O) {
-        (self.0)(samples, output);
-    }
-}
-
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// With a sampling interval in seconds and the default limits.
     pub fn new(interval_s: Pair<R>) -> Result<Self, StartError> {
@@ -111,9 +84,9 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// Starts from an initial solution, whose attitude is brought to unit length.
     pub fn start(&self, initial: &Solution<R>) -> Result<State<F, W>, StartError> {
-        check_start(initial)?;
+        let initial = admit_start(initial)?;
         Ok(State {
-            frame: F::start(initial),
+            frame: F::start(&initial),
             samples: W::Samples::default(),
             filled: 0,
             pending: 0,
@@ -247,25 +220,9 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
     }
 
+    /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads.
     #[inline(always)]
-    fn step(
-        &self,
-        state: &mut State<F, W>,
-        time: &BlockTime<R>,
-        block: usize,
-        body: &BodyMotion<R>,
-        series: &impl BlockSeries<R>,
-        read: &mut impl Read<F::Output>,
-    ) {
-        if state.seeded != block {
-            state.frame.seed(time, body);
-            state.seeded = block;
-        }
-        self.cross(state, time, block, body, series, read);
-    }
-
-    #[inline(always)]
-    fn cross<Q: Read<F::Output>>(
+    fn step<Q: Read<F::Output>>(
         &self,
         state: &mut State<F, W>,
         time: &BlockTime<R>,
@@ -274,6 +231,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         series: &impl BlockSeries<R>,
         read: &mut Q,
     ) {
+        if state.seeded != block {
+            state.frame.seed(time, body);
+            state.seeded = block;
+        }
         let before = state.frame;
         let step = state.frame.step(time, body);
         if Q::EVERY_ROW {

@@ -1,62 +1,60 @@
 //! `drift.csv`: a row per sample, written as the run goes.
 
-use super::WriteError;
 use crate::flight::{Instant, Nine};
-use std::fs::File;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use crate::input::InputError;
+use crate::output::NumberTable;
+use std::path::Path;
 
-const HEADER: &str = "time_s,north_m,east_m,down_m,north_m_s,east_m_s,down_m_s,\
-    roll_arcsec,pitch_arcsec,yaw_arcsec,north_m_sigma,east_m_sigma,down_m_sigma,\
-    north_m_s_sigma,east_m_s_sigma,down_m_s_sigma,\
-    roll_arcsec_sigma,pitch_arcsec_sigma,yaw_arcsec_sigma\n";
+/// The time, nine numbers of drift, and the standard deviation of each.
+const COLUMNS: [&str; 19] = [
+    "time_s",
+    "north_m",
+    "east_m",
+    "down_m",
+    "north_m_s",
+    "east_m_s",
+    "down_m_s",
+    "roll_arcsec",
+    "pitch_arcsec",
+    "yaw_arcsec",
+    "north_m_sigma",
+    "east_m_sigma",
+    "down_m_sigma",
+    "north_m_s_sigma",
+    "east_m_s_sigma",
+    "down_m_s_sigma",
+    "roll_arcsec_sigma",
+    "pitch_arcsec_sigma",
+    "yaw_arcsec_sigma",
+];
 
-/// Rows wait here until there are this many bytes.
-const BUFFER: usize = 1 << 17;
-/// More than a row's 19 numbers of at most 24 characters.
-const ROW: usize = 512;
-
-/// A `drift.csv` being written. Numbers are the shortest that read back to the same bits.
+/// A `drift.csv` being written.
 #[derive(Debug)]
 pub struct DriftCsv {
-    path: PathBuf,
-    file: File,
-    rows: Vec<u8>,
+    table: NumberTable,
 }
 
 impl DriftCsv {
-    /// Starts the file with its header; an older one is replaced.
-    pub fn create(path: &Path) -> Result<Self, WriteError> {
-        let file = File::create(path).map_err(|source| WriteError::new(path, source))?;
-        let mut rows = Vec::with_capacity(BUFFER + ROW);
-        rows.extend_from_slice(HEADER.as_bytes());
-        Ok(Self { path: path.to_owned(), file, rows })
+    /// With its header.
+    pub fn create(path: &Path) -> Result<Self, InputError> {
+        Ok(Self { table: NumberTable::create(path, &COLUMNS)? })
     }
 
     /// Adds a row: time, drift and standard deviations.
-    pub fn row(&mut self, instant: &Instant) -> Result<(), WriteError> {
-        let mut digits = zmij::Buffer::new();
-        self.rows.extend_from_slice(digits.format(instant.time_s).as_bytes());
-        for nine in [&instant.drift, &instant.sigma] {
+    pub fn row(&mut self, instant: &Instant) -> Result<(), InputError> {
+        let mut row = [instant.time_s; COLUMNS.len()];
+        for (group, nine) in row[1..].chunks_exact_mut(9).zip([&instant.drift, &instant.sigma]) {
             let Nine { position_m, velocity_m_s, attitude_arcsec } = nine;
-            for value in position_m.iter().chain(velocity_m_s).chain(attitude_arcsec) {
-                self.rows.push(b',');
-                self.rows.extend_from_slice(digits.format(*value).as_bytes());
-            }
+            group[..3].copy_from_slice(position_m);
+            group[3..6].copy_from_slice(velocity_m_s);
+            group[6..].copy_from_slice(attitude_arcsec);
         }
-        self.rows.push(b'\n');
-        if self.rows.len() >= BUFFER { self.flush() } else { Ok(()) }
+        self.table.row(&row)
     }
 
-    /// Writes what is left. A file that is dropped unfinished lacks its last rows.
-    pub fn finish(mut self) -> Result<(), WriteError> {
-        self.flush()
-    }
-
-    fn flush(&mut self) -> Result<(), WriteError> {
-        self.file.write_all(&self.rows).map_err(|source| WriteError::new(&self.path, source))?;
-        self.rows.clear();
-        Ok(())
+    /// Puts the file in its place.
+    pub fn finish(self) -> Result<(), InputError> {
+        self.table.finish()
     }
 }
 

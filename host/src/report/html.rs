@@ -3,8 +3,10 @@
 use super::canvas::Ink;
 use super::number::{Quantity, parameter, printed};
 use super::svg::escape;
-use super::{WriteError, figures, heading, norm, parameters, table, write_file};
+use super::{figures, heading, norm, parameters, table};
 use crate::flight::Flight;
+use crate::input::InputError;
+use crate::output;
 use std::path::Path;
 
 const STYLE: &str = include_str!("page.css");
@@ -35,9 +37,9 @@ pub fn page(flight: &Flight) -> String {
     )
 }
 
-/// Writes `report.html` into an existing directory.
-pub fn write(flight: &Flight, directory: &Path) -> Result<(), WriteError> {
-    write_file(&directory.join("report.html"), page(flight).as_bytes())
+/// Writes `report.html` into a directory.
+pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
+    output::write(directory.join("report.html"), page(flight))
 }
 
 /// The palette for light and dark, and a class per ink.

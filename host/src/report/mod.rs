@@ -24,51 +24,18 @@ pub mod svg;
 pub mod table;
 
 use crate::flight::{Flight, Nine};
-use std::fmt::{self, Display, Formatter};
-use std::io;
-use std::path::{Path, PathBuf};
+use crate::input::InputError;
+use std::path::Path;
 
 pub use drift_csv::DriftCsv;
 pub use table::table;
 
-/// A file that could not be written.
-#[derive(Debug)]
-pub struct WriteError {
-    /// Which.
-    pub path: PathBuf,
-    /// Why.
-    pub source: io::Error,
-}
-
-impl WriteError {
-    /// From its two halves.
-    pub fn new(path: &Path, source: io::Error) -> Self {
-        Self { path: path.to_owned(), source }
-    }
-}
-
-impl Display for WriteError {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{} cannot be written: {}", self.path.display(), self.source)
-    }
-}
-
-impl std::error::Error for WriteError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        Some(&self.source)
-    }
-}
-
-/// Writes `summary.json`, `drift.png` and `report.html` into an existing directory. Without the
+/// Writes `summary.json`, `drift.png` and `report.html` into a directory. Without the
 /// two for people, call [`summary::write`].
-pub fn write(flight: &Flight, directory: &Path) -> Result<(), WriteError> {
+pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
     summary::write(flight, directory)?;
     plot::write(flight, directory)?;
     html::write(flight, directory)
-}
-
-fn write_file(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    std::fs::write(path, bytes).map_err(|source| WriteError::new(path, source))
 }
 
 /// The run in one line: scene, length, navigator, seed.

@@ -3,8 +3,10 @@
 use super::canvas::{Anchor, Canvas, Ink, Lettering};
 use super::chart::Frame;
 use super::raster::Raster;
-use super::{WriteError, drift_charts, heading, write_file};
+use super::{drift_charts, heading};
 use crate::flight::Flight;
+use crate::input::{Complaint, InputError};
+use crate::output;
 use std::io;
 use std::path::Path;
 
@@ -35,11 +37,14 @@ pub fn png(flight: &Flight) -> io::Result<Vec<u8>> {
     sheet.png()
 }
 
-/// Writes `drift.png` into an existing directory.
-pub fn write(flight: &Flight, directory: &Path) -> Result<(), WriteError> {
+/// Writes `drift.png` into a directory.
+pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
     let path = directory.join("drift.png");
-    let picture = png(flight).map_err(|source| WriteError::new(&path, source))?;
-    write_file(&path, &picture)
+    let picture = png(flight).map_err(|error| {
+        let complaint = Complaint::new(format!("cannot be drawn: {error}"), "");
+        InputError::file(&path.display().to_string(), complaint)
+    })?;
+    output::write(&path, &picture)
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! `summary.json`: a run in numbers, for programs.
 
-use super::{Nine, WriteError, norm, write_file};
+use super::{Nine, norm};
 use crate::flight::Flight;
+use crate::input::InputError;
+use crate::output;
 use serde::Serialize;
 use std::path::Path;
 
@@ -132,9 +134,9 @@ pub fn json(flight: &Flight) -> String {
     text
 }
 
-/// Writes `summary.json` into an existing directory.
-pub fn write(flight: &Flight, directory: &Path) -> Result<(), WriteError> {
-    write_file(&directory.join("summary.json"), json(flight).as_bytes())
+/// Writes `summary.json` into a directory.
+pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
+    output::write(directory.join("summary.json"), json(flight))
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ pub use earth_fixed::EarthFixedTextbook;
 pub use local_level::LocalLevelTextbook;
 
 use super::frame::Output;
-use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, check_start};
+use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, admit_start};
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
@@ -75,10 +75,10 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
     type Output = F::Output;
 
     fn start(&self, initial: &Solution<F::Real>) -> Result<TextbookState<F>, StartError> {
-        check_start(initial)?;
+        let initial = admit_start(initial)?;
         // No previous sample: no rotation and no force, hence no coning and no sculling.
         let previous = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
-        Ok(TextbookState { frame: F::start(initial), previous, integrated: 0 })
+        Ok(TextbookState { frame: F::start(&initial), previous, integrated: 0 })
     }
 
     #[inline(always)]

@@ -1,0 +1,12 @@
+//! The floors that strapdown stands on: arithmetic, the Earth, motion, the perfect unit, alignment.
+
+#![expect(clippy::excessive_precision, reason = "expected values keep their printed digits")]
+
+mod alignment;
+mod compensated;
+mod earth;
+mod imu;
+mod quaternion;
+mod real;
+mod solution;
+mod trajectory;

@@ -81,12 +81,13 @@ impl<R: Real> Term<R> {
     }
 }
 
-/// The series of a block to the power N − 1, with its values at the start.
+/// The series of a block to the power N − 1, with the sums of its even and odd terms.
 #[derive(Clone, Copy, Debug)]
 pub struct Series<R: Real, const N: usize> {
     terms: [Term<R>; N],
     last: usize,
-    start: Term<R>,
+    even: Term<R>,
+    odd: Term<R>,
 }
 
 /// A block's motion and its series up to σ^`order`, at most N − 1. `sum` is the sum of the block's own
@@ -137,23 +138,24 @@ pub fn integrate<R: Real, const K: usize, const N: usize>(
         let half = if n % 2 == 0 { &mut even } else { &mut odd };
         *half = half.zip(*term, |a, b| a + b);
     }
-    let (start, end) = (even.zip(odd, |a, b| a - b), even.zip(odd, |a, b| a + b));
-
-    // vec(e₋* + e₊) = ½ΣΔθ + 2Σ_odd qₙ beyond wₙ₋₁/2n,  e = e₋* + e₊ + e₋* ⊗ e₊
-    let (before, after) = (start.rotation(), end.rotation());
-    let both = before.conjugate() * after;
+    // With q(±1) − 1 = (a, A) ± (b, B), even ± odd, e = e₋* + e₊ + e₋* ⊗ e₊ is
+    // eₛ = 2a + a² + |A|² − b² − |B|²,  eᵥ = ½ΣΔθ + 2(Σ_odd qₙ beyond wₙ₋₁/2n + aB − bA + B × A)
+    let (a, b) = (even.rotation(), odd.rotation());
+    let curved = b.v * a.w - a.v * b.w + b.v.cross(a.v) + odd_rotation;
     let e = Quaternion::new(
-        before.w + after.w + both.w,
-        sum.angle_b * R::HALF + (odd_rotation + odd_rotation + both.v),
+        a.w + a.w + (a.dot(a) - b.dot(b)),
+        sum.angle_b * R::HALF + (curved + curved),
     )
     .normalised_less_one();
+    let end = even.motion.zip(odd.motion, |a, b| (a + b).parts());
     // u = ΣΔv + 2Σ_odd Uₙ beyond fₙ₋₁/n + (R − I)U₊
-    let u = sum.velocity_b + (odd_velocity + odd_velocity + e.turn_less_one(end.velocity()));
-    // s = (T/2)(R D₊ − D₋ − 2U₋)
-    let s = (end.position() - start.position() - start.velocity() - start.velocity()
-        + e.turn_less_one(end.position()))
-        * half_time_s;
-    (BodyMotion { rotation: e, velocity: u, position: s }, Series { terms, last: order, start })
+    let turned = e.turn_less_one(end.map(|(velocity, _)| velocity));
+    let u = sum.velocity_b + (odd_velocity + odd_velocity + turned);
+    // s = (T/2)(R D₊ − D₋ − 2U₋) = (T/2)(2D_odd + 2U_odd − 2U_even + (R − I)D₊)
+    let straight = odd.position() + odd.velocity() - even.velocity();
+    let turned = e.turn_less_one(end.map(|(_, position)| position));
+    let s = (straight + straight + turned) * half_time_s;
+    (BodyMotion { rotation: e, velocity: u, position: s }, Series { terms, last: order, even, odd })
 }
 
 impl<R: Real, const N: usize> Series<R, N> {
@@ -165,7 +167,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         for term in self.terms.iter().take(self.last + 1).skip(1).rev() {
             at = at.zip(*term, |a, b| (a + b) * both);
         }
-        let start = &self.start;
+        let start = self.even.zip(self.odd, |a, b| a - b);
         // q_rel = q(−1)* q(σ),  u = R_rel U(σ) − U₋,  s = (T/2)(R_rel D(σ) − D₋ − (1 + σ)U₋)
         let back = start.rotation().conjugate();
         let e = (back + at.rotation() + back * at.rotation()).normalised_less_one();

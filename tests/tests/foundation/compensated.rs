@@ -12,22 +12,11 @@ fn double(numbers: &mut Numbers) -> f64 {
     signed as f64 * 2.0_f64.powi(exponent)
 }
 
-/// x·2⁸³ of a double whose last bit is no smaller, exactly.
+/// x·2⁹⁰ as an integer, exactly.
 fn fixed(x: f64) -> i128 {
-    let bits = x.to_bits();
-    let exponent = (bits >> 52 & 0x7ff) as i32 - 1075;
-    if x == 0.0 {
-        return 0;
-    }
-    let significand = i128::from(bits & ((1 << 52) - 1) | 1 << 52);
-    let shift = exponent + 83;
-    let magnitude = if shift >= 0 {
-        significand << shift
-    } else {
-        assert_eq!(significand.trailing_zeros() as i32 + shift, 0.max(significand.trailing_zeros() as i32 + shift));
-        significand >> -shift
-    };
-    if x < 0.0 { -magnitude } else { magnitude }
+    let scaled = x * 2.0_f64.powi(90);
+    assert!(scaled.abs() < 2.0_f64.powi(126) && scaled == scaled.trunc(), "{x:e}");
+    scaled as i128
 }
 
 #[test]
@@ -125,7 +114,7 @@ fn single_pairs_hold_fourteen_digits() {
         let carried = narrow.widen();
         assert!((carried - x).abs() <= 1e-14 * x.abs());
         let (s, c) = narrow.sin_cos();
-        assert!((s.widen() - libm_free_sine(carried)).abs() <= 2e-14, "{x}");
+        assert!((s.widen() - carried.sin()).abs() <= 2e-14, "{x}");
         assert!((c.widen() - carried.cos()).abs() <= 2e-14, "{x}");
         let product = narrow * narrow;
         assert!((product.widen() - carried * carried).abs() <= 1e-14 * x * x, "{x}");
@@ -135,27 +124,22 @@ fn single_pairs_hold_fourteen_digits() {
     assert!((literal.widen() - 0.1).abs() < 1e-16);
 }
 
-/// The standard library's, not the one under test.
-fn libm_free_sine(x: f64) -> f64 {
-    x.sin()
-}
-
-/// A million terms of every size and sign, against the exact sum in integers.
+/// A million terms of every size, against the exact sum in integers.
 #[test]
 fn a_million_terms_lose_nothing() {
     let mut numbers = Numbers(6);
-    let terms: Vec<f64> = (0..1_000_000).map(|_| 1.0 + numbers.within(1.0)).collect();
+    let terms: Vec<f64> = (0..1_000_000).map(|_| (1.0 + numbers.within(1.0)) / 3.0).collect();
     let exact: i128 = terms.iter().map(|&x| fixed(x)).sum();
     let (mut pair, mut plain) = (Pair::new(0.0), Plain(0.0));
     for &term in &terms {
         pair.add(term);
         plain.add(term);
     }
-    let miss = (fixed(pair.hi) + fixed(pair.lo) - exact) as f64 * 2.0_f64.powi(-83);
+    let miss = (fixed(pair.hi) + fixed(pair.lo) - exact) as f64 * 2.0_f64.powi(-90);
     // Half an ulp of each term, as a random walk.
     assert!(miss.abs() <= 1e-12, "{miss:e}");
     assert_eq!(pair.value() + pair.remainder(), pair.hi);
-    let plain_miss = (fixed(plain.0) - exact) as f64 * 2.0_f64.powi(-83);
+    let plain_miss = (fixed(plain.0) - exact) as f64 * 2.0_f64.powi(-90);
     assert!(plain_miss.abs() > 1e-9, "{plain_miss:e}");
 }
 

@@ -49,7 +49,7 @@ fn matrix_product_and_small_turn_are_the_rotation() {
 #[test]
 fn a_small_turn_keeps_all_its_digits() {
     // (R − I)x = α(n × x) − ½α²… : a rotation by 1e-12 rad seen to 16 digits of its own size.
-    let angle = 1e-12;
+    let angle: f64 = 1e-12;
     let small = Quaternion::new(-angle * angle / 8.0, Vector::new(0.0, 0.0, angle / 2.0));
     let change = small.turn_less_one(Vector::new(3.0, 4.0, 5.0));
     assert!((change.x + 4.0 * angle + 1.5 * angle * angle).abs() <= 1e-27, "{change:?}");

@@ -53,7 +53,7 @@ pub enum Command {
 pub struct RunArgs {
     /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
     pub scene: Option<String>,
-    /// Folder for summary.json, drift.csv, drift.png and report.html [default: out/<scene>]
+    /// Folder for summary.json, drift.csv, drift.png and report.html [default: out/ and the name of the scene]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// What replaces the scene's own values.

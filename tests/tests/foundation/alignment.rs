@@ -70,11 +70,11 @@ fn sensor_errors_tilt_and_turn() {
     let mut alignment = Alignment::default();
     alignment.add(&sample);
     let found = alignment.attitude().unwrap();
-    // f_y = −g sinγ: roll −∇/g; the east gyro turns heading by ε/(ω cosφ), tilt adds tanφ·γ.
+    // Roll −∇/g; heading −ε/(ω cosφ) + ∇ tanφ/g.
     let g = gravity(latitude.sin(), 100.0);
     assert!((found.roll + 1e-4 / g).abs() < 1e-13, "{found:?}");
-    let heading = -1e-9 / (7.292115e-5 * latitude.cos()) + found.roll * latitude.tan();
-    assert!((found.yaw - heading).abs() < 1e-9, "{found:?} {heading}");
+    let heading = 1e-4 / g * latitude.tan() - 1e-9 / (7.292115e-5 * latitude.cos());
+    assert!((found.yaw - heading).abs() < 1e-14, "{found:?} {heading}");
 }
 
 #[test]

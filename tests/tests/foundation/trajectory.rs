@@ -102,7 +102,8 @@ fn bounds_hold_on_every_scene() {
             let (w, f) = (rates.rate_ib_b.into_array(), rates.specific_force_b.into_array());
             [w[0], w[1], w[2], f[0], f[1], f[2]]
         };
-        let times: Vec<f64> = (0..2000).map(|k| duration * f64::from(k) / 2000.0).collect();
+        let mut numbers = Numbers(52);
+        let times: Vec<f64> = (0..4000).map(|_| numbers.within(duration).abs()).collect();
         let mut range = [(f64::MAX, f64::MIN); 6];
         for &t in &times {
             for (range, x) in range.iter_mut().zip(all(t)) {

@@ -4,6 +4,7 @@
 //! component to the east. Source: Groves, 2nd ed., §5.6 (levelling and gyrocompassing); the triad of
 //! Black (1964).
 
+use crate::math::compensated::Pair;
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
@@ -13,7 +14,8 @@ use crate::solution::Euler;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Alignment<R> {
-    sum: Increment<R>,
+    angle_b: Vector<Pair<R>>,
+    velocity_b: Vector<Pair<R>>,
     samples: u32,
 }
 
@@ -44,15 +46,15 @@ impl core::error::Error for AlignmentError {}
 impl<R: Scalar> Alignment<R> {
     /// Takes a sample.
     pub fn add(&mut self, sample: &Increment<R>) {
-        self.sum.angle_b = self.sum.angle_b + sample.angle_b;
-        self.sum.velocity_b = self.sum.velocity_b + sample.velocity_b;
+        self.angle_b.accumulate(sample.angle_b);
+        self.velocity_b.accumulate(sample.velocity_b);
         self.samples = self.samples.saturating_add(1);
     }
 
     /// Mean angular rate (rad/s) and specific force (m/s²) for samples of an interval in seconds.
     pub fn mean(&self, interval_s: R) -> (Vector<R>, Vector<R>) {
         let per_second = R::ONE / (interval_s * R::count(self.samples.max(1)));
-        (self.sum.angle_b * per_second, self.sum.velocity_b * per_second)
+        (self.angle_b.value() * per_second, self.velocity_b.value() * per_second)
     }
 
     /// The attitude, rad.
@@ -61,8 +63,8 @@ impl<R: Scalar> Alignment<R> {
             return Err(AlignmentError::Empty);
         }
         // ẑⁿ = −fᵇ/|f|,  ŷⁿ = ẑⁿ × ω/|ẑⁿ × ω|,  x̂ⁿ = ŷⁿ × ẑⁿ
-        let down = unit(-self.sum.velocity_b)?;
-        let rate = unit(self.sum.angle_b)?;
+        let down = unit(-self.velocity_b.value())?;
+        let rate = unit(self.angle_b.value())?;
         let east = unit(down.cross(rate))?;
         let north = east.cross(down);
         // The rows of C_bⁿ are north, east and down in body axes.

@@ -1,4 +1,5 @@
-//! A running hash of states: equal digests mean equal bits in every field after every block.
+//! A running hash of states: runs with equal digests had, but for a chance of 2⁻⁶⁴, equal
+//! bits in every field after every block.
 //!
 //! Every word goes into one of four lanes in turn, so that the multiplications overlap; it is no
 //! cryptographic hash. The same on every target: words are numbers, not bytes in memory, and −0 counts

@@ -71,9 +71,6 @@ pub struct Quadrature {
 const TRUNCATION: f64 = 1e-18;
 
 impl Quadrature {
-    /// As many as are ever used: for a motion of which nothing is known.
-    pub const FINEST: Self = Self { nodes: 8, panels: 1 };
-
     /// The fewest evaluations that reach the rounding floor for a motion of this bandwidth, rad/s,
     /// over an interval in seconds.
     pub fn plan(bandwidth: f64, interval_s: f64) -> Self {
@@ -85,12 +82,17 @@ impl Quadrature {
                     return Self { nodes, panels };
                 }
             }
-            // A panel of 64 nodes per radian is beyond any sampled motion; more would be wasted.
+            // Such a motion turns hundreds of times within a sample, and cannot be sampled anyhow.
             if panels >= 1024 {
                 return Self { nodes: NODES.len(), panels };
             }
             panels *= 2;
         }
+    }
+
+    /// The same panels with every node there is.
+    pub fn finest(self) -> Self {
+        Self { nodes: NODES.len(), ..self }
     }
 
     /// Evaluations of the motion per sample.

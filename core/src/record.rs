@@ -1,7 +1,7 @@
 //! One list of a state's fields: digest, storage, link and audit all walk it.
 
 use crate::earth::Geodetic;
-use crate::math::compensated::{Pair, Plain};
+use crate::math::compensated::{Pair, Plain, TwoFloat};
 use crate::math::quaternion::Quaternion;
 use crate::math::vector::Vector;
 
@@ -67,12 +67,22 @@ record_fields!(Vector: x, y, z);
 record_fields!(Quaternion: w, v);
 record_fields!(Geodetic: latitude, longitude, altitude);
 
-impl<T: Record> Record for Plain<T> {
-    #[inline(always)]
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        self.0.record(name, visit);
-    }
+macro_rules! record_wrapper {
+    ($($t:ident),+) => {
+        $(impl<T: Record> Record for $t<T> {
+            #[inline(always)]
+            fn record(
+                &mut self,
+                name: &'static str,
+                visit: &mut impl FnMut(&'static str, u64) -> u64,
+            ) {
+                self.0.record(name, visit);
+            }
+        })+
+    };
 }
+
+record_wrapper!(Plain, TwoFloat);
 
 /// Lists fields of a struct for [`Record`], each under its own name.
 macro_rules! record {

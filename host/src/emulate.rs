@@ -1,6 +1,7 @@
 //! `schuler emulate`: the sensors' stream of a scene as a file.
 
 use crate::cli::EmulateArgs;
+use crate::output::say;
 use crate::progress::Progress;
 use crate::recording::csv::ImuWriter;
 use crate::simulate::FlightError;
@@ -14,17 +15,24 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
     let progress = Progress::new(scene.samples());
     let create = if args.rates { ImuWriter::rates } else { ImuWriter::increments };
     let mut writer = create(&args.out)?;
+    let mut written = 0;
     for sample in 1..=scene.samples() {
         let time_s = source.time_s(sample);
         if args.rates {
-            writer.rate(time_s, &stream.next_rates())?;
+            if let Some(rates) = stream.advance_rates() {
+                writer.rate(time_s, &rates)?;
+                written += 1;
+            }
         } else if let Some(increment) = stream.advance() {
             writer.increment(time_s, &increment)?;
+            written += 1;
         }
         progress.reach(sample);
     }
     progress.finish();
     writer.finish()?;
-    println!("{} samples written to {}", scene.samples(), args.out.display());
+    let lost = scene.samples() - written;
+    let lost = if lost > 0 { format!(", {lost} lost on the link") } else { String::new() };
+    say(&format!("{written} samples written to {}{lost}\n", args.out.display()))?;
     Ok(())
 }

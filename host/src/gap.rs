@@ -44,13 +44,15 @@ impl Bridge {
         pass(&sample)
     }
 
-    /// Fills what is missing at the end of the stream: with the last sample there was.
-    pub fn finish<E>(
+    /// Fills what is missing at the end of the stream: with the last sample there was; if there was none,
+    /// that is refused.
+    pub fn finish<E: From<Missing>>(
         &mut self,
         mut pass: impl FnMut(&Increment<f64>) -> Result<(), E>,
     ) -> Result<(), E> {
         match self.last {
             Some(last) => self.fill(last, last, &mut pass),
+            None if self.missing > 0 => Err(Missing.into()),
             None => Ok(()),
         }
     }

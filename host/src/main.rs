@@ -2,6 +2,7 @@
 
 use clap::Parser;
 use schuler_host::cli::{Cli, Command};
+use schuler_host::output::say;
 use schuler_host::simulate::FlightError;
 use schuler_host::{emulate, replay, run, scene};
 use std::process::ExitCode;
@@ -10,12 +11,10 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command() {
         Command::Run(args) => run::run(&args),
         Command::Emulate(args) => emulate::emulate(&args),
-        Command::Replay(args) => replay::replay(&args).map_err(FlightError::from),
+        Command::Replay(args) => replay::replay(&args),
         Command::Scenes => {
-            for (name, title) in scene::builtin::names() {
-                println!("{name:14} {title}");
-            }
-            Ok(())
+            let lines = scene::builtin::names().map(|(name, title)| format!("{name:14} {title}\n"));
+            say(&lines.collect::<String>()).map_err(FlightError::from)
         }
     };
     match done {
@@ -24,7 +23,9 @@ fn main() -> ExitCode {
             eprintln!("schuler: {error}");
             match error {
                 FlightError::Input(_) => ExitCode::from(2),
-                FlightError::Lost { .. } | FlightError::Rejected { .. } => ExitCode::from(1),
+                FlightError::Lost { .. }
+                | FlightError::Rejected { .. }
+                | FlightError::Stopped(_) => ExitCode::from(1),
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
 use schuler::digest::Digest;
-use schuler::math::compensated::Pair;
+use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
@@ -14,7 +14,7 @@ use schuler::strapdown::local_level::LocalLevel;
 use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::{self, NAMED, Window as _};
+use schuler::strapdown::window::*;
 
 /// Who reads rows: how many samples lie behind the row, and the navigation there.
 pub type Reader<'a> = dyn FnMut(u64, &Solution<f64>) + 'a;
@@ -61,9 +61,11 @@ where
     M: Mechanization<Real: Scalar, Frame: Record> + 'static,
 {
     fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected> {
-        let sample = self.carried.narrow(sample);
+        let mut carried = self.carried;
+        let sample = carried.narrow(sample);
         let before = M::integrated(&self.state);
         self.mechanization.push_rows(&mut self.state, sample, |n, row| read(n, &row.wide()))?;
+        self.carried = carried;
         if M::integrated(&self.state) != before {
             self.digest.add(M::frame(&self.state));
         }
@@ -108,6 +110,8 @@ where
 pub enum Unavailable {
     /// No window of this shape.
     Window(WindowShape),
+    /// Two-float products where there are none.
+    TwoFloat,
     /// The core refuses to start.
     Start(StartError),
 }
@@ -119,6 +123,9 @@ impl std::fmt::Display for Unavailable {
                 write!(f, "there is no window {history},{block},{lookahead}; accepted: auto")?;
                 NAMED.iter().try_for_each(|(h, b, a)| write!(f, ", {h},{b},{a}"))
             }
+            Self::TwoFloat => f.write_str(
+                "f32x2 is not to be had here; accepted: f32x2 with taylor and local-level, else f64, f32",
+            ),
             Self::Start(error) => error.fmt(f),
         }
     }
@@ -166,8 +173,25 @@ pub fn start(
         (Algorithm::Taylor, Precision::F32, Frame::EarthFixed) => {
             taylor::<EarthFixed<Pair<f32>>>(shape, order, single, initial)?
         }
+        (Algorithm::Taylor, Precision::F32x2, Frame::LocalLevel) => {
+            two_float(shape, order, single, initial)?
+        }
+        (_, Precision::F32x2, _) => return Err(Unavailable::TwoFloat),
     };
     Ok(boxed)
+}
+
+/// The taylor navigator in frame `F` whose window, among those named, has the shape.
+macro_rules! with_window {
+    ($F:ty, $shape:expr, $order:expr, $interval_s:expr, $initial:expr; $($name:ident),+) => {{
+        $(if ($name::HISTORY, $name::BLOCK, $name::LOOKAHEAD)
+            == ($shape.history, $shape.block, $shape.lookahead)
+        {
+            let strapdown = Strapdown::<$F, $name>::new($interval_s)?.with_order($order);
+            return Ok(Flying::boxed(strapdown, $initial)?);
+        })+
+        Err(Unavailable::Window($shape))
+    }};
 }
 
 /// A taylor navigator in a frame, with one of the named windows.
@@ -180,21 +204,18 @@ fn taylor<F>(
 where
     F: schuler::strapdown::frame::Frame<Real: Scalar> + Record + 'static,
 {
-    macro_rules! choose {
-        ($($name:ident),+) => {{
-            $(
-                type $name = window::$name;
-                let shapes = ($name::HISTORY, $name::BLOCK, $name::LOOKAHEAD);
-                if shapes == (shape.history, shape.block, shape.lookahead) {
-                    let strapdown = Strapdown::<F, $name>::new(interval_s)?.with_order(order);
-                    return Ok(Flying::boxed(strapdown, initial)?);
-                }
-            )+
-        }};
-    }
-    choose!(
+    with_window!(F, shape, order, interval_s, initial;
         H0B2A0, H0B3A0, H0B4A0, H0B6A0, H2B2A0, H2B2A2, H2B4A0, H4B4A0, H2B4A2, H4B4A4, Line8,
-        Line20
-    );
-    Err(Unavailable::Window(shape))
+        Line20)
+}
+
+/// The local-level navigator in single precision with two-float products, whose windows are few.
+fn two_float(
+    shape: WindowShape,
+    order: usize,
+    interval_s: Pair<f32>,
+    initial: &Solution<f64>,
+) -> Result<Box<dyn Navigate>, Unavailable> {
+    type Precise = LocalLevel<TwoFloat<f32>>;
+    with_window!(Precise, shape, order, interval_s, initial; H0B4A0, H4B4A0, H2B4A2, H4B4A4)
 }

@@ -89,6 +89,15 @@ impl Write for OutputFile {
     }
 }
 
+/// Prints a text; nobody listening any more is the end of the program, not an error.
+pub fn say(text: &str) -> Result<(), InputError> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => std::process::exit(0),
+        written => written.map_err(|error| fault(Path::new("standard output"), &error)),
+    }
+}
+
 /// Writes a whole file at once.
 pub fn write(path: impl AsRef<Path>, content: impl AsRef<[u8]>) -> Result<(), InputError> {
     let mut file = OutputFile::create(path)?;

@@ -6,7 +6,6 @@ use crate::scene::{Algorithm, Precision, Scene, WindowShape};
 use crate::source::Source;
 use crate::theory::Theory;
 use crate::timing;
-use schuler::imu::Quadrature;
 use schuler::math::compensated::Pair;
 use schuler::strapdown::plan::{self, Shape};
 use schuler::trajectory::Trajectory as _;
@@ -25,6 +24,11 @@ pub struct Plan {
     force_all: bool,
 }
 
+/// Whether a window looks at fewer samples beside its block.
+fn is_cheaper(window: WindowShape, other: WindowShape) -> bool {
+    window.history + window.lookahead < other.history + other.lookahead
+}
+
 impl From<Shape> for WindowShape {
     fn from((history, block, lookahead): Shape) -> Self {
         Self { history, block, lookahead }
@@ -35,13 +39,12 @@ impl Plan {
     /// Of a scene; `force_all` skips nothing.
     pub fn new(scene: &Scene, source: &Source, force_all: bool) -> Self {
         let bound = source.course.bound();
-        let single = scene.navigator.precision == Precision::F32;
-        let shape = if force_all {
-            plan::UNKNOWN
-        } else {
-            plan::window(bound.bandwidth, 1.0 / scene.rate_hz, single)
-        };
-        let window = scene.navigator.window.unwrap_or(shape.into());
+        let single = scene.navigator.precision != Precision::F64;
+        let mut planned = plan::window(bound.bandwidth, 1.0 / scene.rate_hz, single).into();
+        if force_all && is_cheaper(planned, plan::UNKNOWN.into()) {
+            planned = plan::UNKNOWN.into();
+        }
+        let window = scene.navigator.window.unwrap_or(planned);
         let order = if force_all {
             plan::HIGHEST_ORDER
         } else {
@@ -68,15 +71,13 @@ impl Plan {
             return skipped;
         }
         let mut skip = |what: String, why: &str, with_ns: f64, without_ns: f64| {
-            if with_ns > without_ns {
-                let saved = format!("{:.0} ns per sample", with_ns - without_ns);
-                skipped.push(Skipped { what, why: why.to_owned(), saved });
-            }
+            let saved = format!("{:.0} ns per sample", (with_ns - without_ns).max(0.0));
+            skipped.push(Skipped { what, why: why.to_owned(), saved });
         };
         let samples = scene.samples().min(SKIPPED_SAMPLES);
         let increments = timing::perfect(source, samples);
 
-        let finest = Quadrature::FINEST.evaluations();
+        let finest = source.quadrature.finest().evaluations();
         let used = source.quadrature.evaluations();
         if source.is_constant() || used < finest {
             let (what, why) = if source.is_constant() {
@@ -94,6 +95,7 @@ impl Plan {
         }
         let widest = Self { window: plan::UNKNOWN.into(), order: plan::HIGHEST_ORDER, ..*self };
         if scene.navigator.algorithm == Algorithm::Taylor
+            && is_cheaper(self.window, widest.window)
             && let Some(all) = widest.start(scene, source)
         {
             let with_ns = timing::navigation(all.as_ref(), &increments);

@@ -1,29 +1,36 @@
 //! `schuler replay`: navigates a recorded stream.
 
 use crate::cli::ReplayArgs;
-use crate::gap::{Bridge, Missing};
+use crate::gap::Bridge;
 use crate::input::{Complaint, InputError};
 use crate::navigator::{self, Unavailable};
+use crate::output::say;
+use crate::progress::Progress;
 use crate::recording::navigation::{NavigationRow, NavigationWriter};
 use crate::recording::{Gap, Recording, Sample};
 use crate::scene::Navigator;
+use crate::simulate::{FlightError, Refused};
 use crate::units::{ARCSECOND, DEGREE, DEGREE_PER_HOUR};
 use schuler::alignment::{Alignment, AlignmentError};
 use schuler::drift::compare::drift;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::solution::Solution;
-use schuler::strapdown::mechanization::Rejected;
 use schuler::strapdown::plan;
+use std::collections::VecDeque;
+use std::ops::Range;
+use std::path::Path;
+
+/// Samples that a gap may be bridged over, at most.
+const MOST_BRIDGED: u64 = 100_000;
 
 /// Navigates a recording and writes `nav.csv`, a row per sample. Prints what was aligned to, and where
 /// the vehicle ends up.
-pub fn replay(args: &ReplayArgs) -> Result<(), InputError> {
+pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
-    let imu = args.imu.display().to_string();
-    let recording = Recording::read(&imu)?;
+    let recording = Recording::read(&args.imu.display().to_string())?;
     let mut options = Navigator::default();
-    args.navigator.apply(&mut options);
+    args.navigator.apply(&mut options)?;
     options.gap = args.gap.unwrap_or(options.gap);
     let given = args.initial.as_ref().map(|file| NavigationRow::read(&file.display().to_string()));
     let initial = given.transpose()?.or(recording.initial).ok_or_else(|| {
@@ -34,33 +41,64 @@ pub fn replay(args: &ReplayArgs) -> Result<(), InputError> {
         InputError::option("--initial", complaint)
     })?;
 
-    let own_start = if args.initial.is_some() { initial.time_s } else { recording.start_s() };
-    let begin_s = args.start.unwrap_or(own_start);
-    let navigate_s = begin_s + args.align.unwrap_or(0.0);
-    let until_s = args.until.unwrap_or(f64::INFINITY);
-    // A sample belongs to where its interval lies, up to the rounding of its time.
-    let slack = 0.25 * recording.interval_s;
-    let within = |from_s: f64, to_s: f64| {
-        let first = recording.samples.partition_point(|s| s.time_s <= from_s + slack);
-        let last = recording.samples.partition_point(|s| s.time_s <= to_s + slack);
-        first..last.max(first)
+    let spans = Spans::new(args, &recording, &initial)?;
+    let start = match args.align {
+        Some(_) => align(&recording, &recording.samples[spans.still.clone()], &initial)?,
+        None => initial,
     };
-    let flown = within(navigate_s, until_s);
-    if flown.is_empty() {
-        let span = (recording.start_s(), recording.samples.last().map_or(0.0, |s| s.time_s));
-        let what = format!("there is no sample after {navigate_s} s");
-        let accepted = format!("times within {} to {} s", span.0, span.1);
-        return Err(InputError::file(&imu, Complaint::new(what, accepted)));
-    }
-    let mut start = initial;
-    if args.align.is_some() {
-        let still = &recording.samples[within(begin_s, navigate_s)];
-        start = align(&recording, still, &initial)?;
-    }
-    let at_rest = args.align.is_some().then(|| start.solution());
-    let last = fly(&recording, flown.start, flown.end, &start, &options, args)?;
-    report(&last, navigate_s, at_rest.as_ref());
+    let last = fly(&recording, spans.flown, &start, &options, &args.out)?;
+    say(&report(&last, spans.navigate_s, args.align.is_some().then(|| start.solution())))?;
     Ok(())
+}
+
+/// Which samples are aligned on, which are flown.
+struct Spans {
+    navigate_s: f64,
+    still: Range<usize>,
+    flown: Range<usize>,
+}
+
+impl Spans {
+    fn new(
+        args: &ReplayArgs,
+        recording: &Recording,
+        initial: &NavigationRow,
+    ) -> Result<Self, InputError> {
+        let (first_s, last_s) = (recording.start_s(), recording.end_s());
+        let own_s = if args.initial.is_some() { initial.time_s } else { first_s };
+        let begin_s = args.start.unwrap_or(own_s);
+        let navigate_s = begin_s + args.align.unwrap_or(0.0);
+        // A sample belongs to where its interval lies, up to the rounding of its time.
+        let slack = 0.25 * recording.interval_s;
+        let reached = |time_s: f64| {
+            recording.samples.partition_point(|sample| sample.time_s <= time_s + slack)
+        };
+        let inside = format!("times within the recording, {first_s} to {last_s} s");
+        let complain = |option: &str, what: String, accepted: &str| {
+            Err(InputError::option(option, Complaint::new(what, accepted)))
+        };
+        let begins = if args.start.is_some() { "--start" } else { "--initial" };
+        if begin_s < first_s - slack || navigate_s > last_s - slack {
+            let what = format!("navigation would start at {begin_s} s");
+            return complain(begins, what, &inside);
+        }
+        if args.align.is_none() && (begin_s - own_s).abs() > slack {
+            let what = format!("the initial state is that of {own_s} s, not of {begin_s} s");
+            return complain(begins, what, "the time of the initial state, or --align");
+        }
+        let flown = reached(navigate_s)..reached(args.until.unwrap_or(f64::INFINITY));
+        if flown.is_empty() {
+            let what = format!("there is no sample between it and {navigate_s} s");
+            return complain("--until", what, &inside);
+        }
+        let start_s = recording.samples[flown.start].time_s - recording.interval_s;
+        if (start_s - navigate_s).abs() > 2.0 * slack {
+            let what = format!("no sample starts at {navigate_s} s");
+            let near = format!("a sample's boundary, {start_s} s");
+            return complain(begins, what, &near);
+        }
+        Ok(Self { navigate_s, still: reached(begin_s)..flown.start, flown })
+    }
 }
 
 /// Level and north from samples at rest.
@@ -78,116 +116,111 @@ fn align(
     })?;
     let (rate, force) = alignment.mean(recording.interval_s);
     let [roll, pitch, yaw] = [attitude.roll, attitude.pitch, attitude.yaw].map(|a| a / DEGREE);
-    println!(
-        "aligned on {} samples: roll {roll:.4}°, pitch {pitch:.4}°, heading {:.4}°",
+    let text = format!(
+        "aligned on {} samples: roll {roll:.4}°, pitch {pitch:.4}°, heading {:.4}°\n\
+         mean rate {:.3} °/h, mean specific force {:.6} m/s²\n",
         still.len(),
-        yaw.rem_euclid(360.0)
-    );
-    println!(
-        "mean rate {:.3} °/h, mean specific force {:.6} m/s²",
+        yaw.rem_euclid(360.0),
         rate.norm() / DEGREE_PER_HOUR,
         force.norm()
     );
+    say(&text)?;
     Ok(NavigationRow { attitude, velocity_ned: Vector::ZERO, ..*initial })
-}
-
-/// Refused by the bridge or by the navigator.
-enum Refused {
-    Missing,
-    Rejected(Rejected),
-    Output(InputError),
-}
-
-impl From<Missing> for Refused {
-    fn from(_: Missing) -> Self {
-        Self::Missing
-    }
 }
 
 fn fly(
     recording: &Recording,
-    first: usize,
-    end: usize,
+    flown: Range<usize>,
     start: &NavigationRow,
     options: &Navigator,
-    args: &ReplayArgs,
-) -> Result<(f64, Solution<f64>), InputError> {
-    let unavailable = |error: Unavailable| {
-        let option = if let Unavailable::Window(_) = error { "--window" } else { "--initial" };
-        InputError::option(option, Complaint::new(error.to_string(), ""))
-    };
+    out: &Path,
+) -> Result<(f64, Solution<f64>), FlightError> {
     let interval_s = interval(recording.interval_s);
     let shape = options.window.unwrap_or_else(|| plan::UNKNOWN.into());
     let initial = start.solution();
     let mut navigator = navigator::start(options, shape, plan::HIGHEST_ORDER, interval_s, &initial)
         .map_err(unavailable)?;
-    let mut writer = NavigationWriter::create(&args.out)?;
-
-    let origin_s = recording.samples[first].time_s - recording.interval_s;
-    let mut bridge = Bridge::new(options.gap);
-    let mut gaps = recording.gaps().filter(|gap| gap.index > first).peekable();
-    let mut last = (origin_s, initial);
-    let mut written = Ok(());
-    // A row's time is its sample's own; a bridged one's lies on the grid.
-    let mut times = Vec::with_capacity(end - first);
-    let row_of = |n: u64, row: &Solution<f64>, times: &[f64]| {
-        let time_s = times.get(n as usize - 1).copied().unwrap_or(origin_s);
-        (time_s, *row)
+    let mut rows = Rows {
+        writer: NavigationWriter::create(out)?,
+        times_s: VecDeque::new(),
+        last: (start.time_s, initial),
+        written: Ok(()),
     };
-    for index in first..end {
+    let progress = Progress::new(flown.len() as u64);
+    let mut bridge = Bridge::new(options.gap);
+    let mut gaps = recording.gaps().filter(|gap| gap.index > flown.start).peekable();
+    for index in flown.clone() {
         let sample = recording.samples[index];
-        let gap = gaps.next_if(|gap| gap.index == index);
-        let missing = missing(recording, index, gap)?;
-        for n in (0..missing).map(Some).chain([None]) {
-            let lost = n.is_some();
-            let behind = n.map_or(0, |n| missing - n) as f64;
-            times.push(sample.time_s - behind * recording.interval_s);
-            let taken = bridge.take((!lost).then_some(sample.increment), |increment| {
-                let mut read = |n: u64, row: &Solution<f64>| {
-                    last = row_of(n, row, &times);
-                    if written.is_ok() {
-                        written = writer.row(&NavigationRow::new(last.0, &last.1));
-                    }
-                };
-                navigator.push(increment, &mut read).map_err(Refused::Rejected)?;
-                std::mem::replace(&mut written, Ok(())).map_err(Refused::Output)
+        let missing = missing(recording, index, gaps.next_if(|gap| gap.index == index))?;
+        for behind in (0..=missing).rev() {
+            rows.times_s.push_back(sample.time_s - behind as f64 * recording.interval_s);
+            let taken = bridge.take((behind == 0).then_some(sample.increment), |increment| {
+                navigator.push(increment, &mut |_, row| rows.add(row)).map_err(Refused::Rejected)
             });
-            taken.map_err(|refused| refused.at(recording, index))?;
+            taken.map_err(|refused| refused_at(refused, recording, index, missing))?;
         }
+        std::mem::replace(&mut rows.written, Ok(()))?;
+        progress.reach((index - flown.start) as u64);
     }
-    navigator.finish(&mut |n, row| {
-        last = row_of(n, row, &times);
-        if written.is_ok() {
-            written = writer.row(&NavigationRow::new(last.0, &last.1));
-        }
-    });
-    written?;
-    writer.finish()?;
-    Ok(last)
+    navigator.finish(&mut |_, row| rows.add(row));
+    progress.finish();
+    rows.written?;
+    rows.writer.finish()?;
+    Ok(rows.last)
 }
 
-/// How many samples are missing before one; a step that no whole number of them explains is an error.
+/// The rows on their way to the file. A row's time is its sample's own; a bridged one's lies between.
+struct Rows {
+    writer: NavigationWriter,
+    /// Times of the rows that are still to come.
+    times_s: VecDeque<f64>,
+    last: (f64, Solution<f64>),
+    written: Result<(), InputError>,
+}
+
+impl Rows {
+    fn add(&mut self, row: &Solution<f64>) {
+        self.last = (self.times_s.pop_front().unwrap_or(self.last.0), *row);
+        if self.written.is_ok() {
+            self.written = self.writer.row(&NavigationRow::new(self.last.0, row));
+        }
+    }
+}
+
+fn unavailable(error: Unavailable) -> InputError {
+    let option = match error {
+        Unavailable::Window(_) => "--window",
+        Unavailable::TwoFloat => "--precision",
+        Unavailable::Start(_) => "--initial",
+    };
+    InputError::option(option, Complaint::new(error.to_string(), ""))
+}
+
+/// How many samples are missing before one. An error is a step that no whole number of them explains,
+/// and one too long to bridge.
 fn missing(recording: &Recording, index: usize, gap: Option<Gap>) -> Result<u64, InputError> {
-    match gap {
-        Some(Gap { missing: 0, step_s, .. }) => {
-            let what = format!("the step of {step_s} s is no sample");
-            let accepted = format!("steps of {} s", recording.interval_s);
-            Err(recording.error(index, Complaint::new(what, accepted)))
-        }
-        Some(gap) => Ok(gap.missing),
-        None => Ok(0),
-    }
+    let Some(Gap { missing, step_s, .. }) = gap else { return Ok(0) };
+    let complaint = if missing == 0 {
+        let accepted = format!("steps of {} s", recording.interval_s);
+        Complaint::new(format!("the step of {step_s} s is no sample"), accepted)
+    } else if missing > MOST_BRIDGED {
+        let accepted = format!("at most {MOST_BRIDGED}");
+        Complaint::new(format!("{missing} samples are missing before this one"), accepted)
+    } else {
+        return Ok(missing);
+    };
+    Err(recording.error(index, complaint))
 }
 
-impl Refused {
-    fn at(self, recording: &Recording, index: usize) -> InputError {
-        let complaint = match self {
-            Self::Output(error) => return error,
-            Self::Missing => Complaint::new("samples are missing before this one", "--gap bridge"),
-            Self::Rejected(why) => Complaint::new(why.to_string(), ""),
-        };
-        recording.error(index, complaint)
-    }
+fn refused_at(refused: Refused, recording: &Recording, index: usize, missing: u64) -> FlightError {
+    let complaint = match refused {
+        Refused::Missing => {
+            let what = format!("{missing} samples are missing before this one");
+            Complaint::new(what, "--gap bridge, which fills them from their neighbours")
+        }
+        Refused::Rejected(why) => Complaint::new(why.to_string(), ""),
+    };
+    FlightError::Stopped(recording.error(index, complaint))
 }
 
 /// The interval to about twice the digits, where it is one over a whole rate.
@@ -197,18 +230,19 @@ fn interval(interval_s: f64) -> Pair<f64> {
 }
 
 /// Where it ends; for a vehicle that was at rest, how far it seems to have moved.
-fn report(last: &(f64, Solution<f64>), start_s: f64, at_rest: Option<&Solution<f64>>) {
+fn report(last: &(f64, Solution<f64>), start_s: f64, at_rest: Option<Solution<f64>>) -> String {
     let (time_s, solution) = last;
-    println!("navigated from {start_s} s to {time_s} s");
+    let mut text = format!("navigated from {start_s} s to {time_s} s\n");
     if let Some(rest) = at_rest {
-        let moved = drift(solution, rest);
+        let moved = drift(solution, &rest);
         let [north, east, down] = moved.position_ned.into_array();
-        println!(
-            "had it stood still: drifted {north:.1} m north, {east:.1} m east, {down:.1} m down,"
+        text += &format!(
+            "had it stood still: drifted {north:.1} m north, {east:.1} m east, {down:.1} m down,\n"
         );
         let [north, east, down] = moved.velocity_ned.into_array();
-        println!("  at {north:.3} m/s north, {east:.3} m/s east, {down:.3} m/s down,");
+        text += &format!("  at {north:.3} m/s north, {east:.3} m/s east, {down:.3} m/s down,\n");
         let [x, y, z] = moved.attitude_ned.map(|a| a / ARCSECOND).into_array();
-        println!("  turned {x:.1}″ about north, {y:.1}″ about east, {z:.1}″ about down");
+        text += &format!("  turned {x:.1}″ about north, {y:.1}″ about east, {z:.1}″ about down\n");
     }
+    text
 }

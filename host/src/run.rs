@@ -1,21 +1,21 @@
 //! `schuler run`: the main job.
 
 use crate::cli::RunArgs;
+use crate::output::say;
 use crate::progress::Progress;
 use crate::report::{self, DriftCsv};
-use crate::simulate::{self, FlightError};
+use crate::simulate::{FlightError, Simulation};
 use std::path::PathBuf;
 
 /// Flies a scene, prints the drift table and writes the files.
 pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
+    let simulation = Simulation::new(&scene, args.force_all)?;
     let progress = Progress::new(scene.samples());
     let mut drift = DriftCsv::create(&directory.join("drift.csv"))?;
     let flight =
-        simulate::fly(&scene, args.force_all, &mut |instant| drift.row(instant), &|sample| {
-            progress.reach(sample)
-        })?;
+        simulation.fly(&mut |instant| drift.row(instant), &|sample| progress.reach(sample))?;
     progress.finish();
     drift.finish()?;
     if args.no_report {
@@ -23,7 +23,6 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     } else {
         report::write(&flight, &directory)?;
     }
-    print!("{}", report::table(&flight));
-    println!("written to {}", directory.display());
+    say(&format!("{}written to {}\n", report::table(&flight), directory.display()))?;
     Ok(())
 }

@@ -43,12 +43,14 @@ pub enum FlightError {
         /// Why.
         why: Rejected,
     },
+    /// A recording cannot be navigated beyond this place.
+    Stopped(InputError),
 }
 
 impl fmt::Display for FlightError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Input(error) => error.fmt(f),
+            Self::Input(error) | Self::Stopped(error) => error.fmt(f),
             Self::Lost { sample, time_s } => write!(
                 f,
                 "sample {sample} at {time_s} s was lost on the link; \
@@ -69,9 +71,12 @@ impl From<InputError> for FlightError {
     }
 }
 
-/// Refused by the bridge or by the navigator.
-enum Refused {
+/// A sample refused by the bridge or by the navigator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refused {
+    /// It is missing, and gaps are not bridged.
     Missing,
+    /// It cannot be right, or leads where the navigator cannot go.
     Rejected(Rejected),
 }
 
@@ -101,73 +106,98 @@ impl From<Unavailable> for FlightError {
     fn from(error: Unavailable) -> Self {
         let key = match error {
             Unavailable::Window(_) => "window",
+            Unavailable::TwoFloat => "precision",
             Unavailable::Start(_) => "navigator",
         };
         Self::Input(InputError::option(key, Complaint::new(error.to_string(), "")))
     }
 }
 
-/// Flies a scene. Every instant is shown to `observe` in order of time; `progress` gets the number of
-/// samples flown, now and then.
+/// A scene ready to be flown: all that can be wrong with it has been found.
+pub struct Simulation<'a> {
+    scene: &'a Scene,
+    source: Source,
+    plan: Plan,
+    theory: Theory,
+    initial: Solution<f64>,
+    navigator: Box<dyn Navigate>,
+}
+
+impl<'a> Simulation<'a> {
+    /// Of a scene; `force_all` skips nothing.
+    pub fn new(scene: &'a Scene, force_all: bool) -> Result<Self, FlightError> {
+        let source = Source::new(scene, force_all)?;
+        let plan = Plan::new(scene, &source, force_all);
+        let theory = Theory::new(scene).map_err(SourceError::Trajectory)?;
+        let interval_s = Pair::new(scene.rate_hz).reciprocal();
+        let initial = offset(&source.motion(0).initial(), scene);
+        let navigator =
+            navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &initial)?;
+        Ok(Self { scene, source, plan, theory, initial, navigator })
+    }
+
+    /// Flies it. Every instant is shown to `observe` in order of time; `progress` gets the number of
+    /// samples flown.
+    pub fn fly(
+        self,
+        observe: &mut dyn FnMut(&Instant) -> Result<(), InputError>,
+        progress: &dyn Fn(u64),
+    ) -> Result<Flight, FlightError> {
+        let Self { scene, source, plan, mut theory, initial, mut navigator } = self;
+        let samples = scene.samples();
+        let mut log = Log::new(samples, scene.rate_hz);
+        let mut written = Ok(());
+        let mut row = |n: u64, computed: &Solution<f64>| {
+            let instant = instant(&source, &mut theory, n, computed);
+            log.add(n, &instant);
+            if written.is_ok() {
+                written = observe(&instant);
+            }
+        };
+        row(0, &initial);
+        let mut stream = source.start(0);
+        let mut bridge = Bridge::new(scene.navigator.gap);
+        for sample in 1..=samples {
+            let measured = stream.advance();
+            let taken = bridge.take(measured, |increment| -> Result<(), Refused> {
+                Ok(push(navigator.as_mut(), increment, scene, &source, &mut row)?)
+            });
+            taken.map_err(|refused| refused.at(sample, &source))?;
+            progress(sample);
+        }
+        bridge
+            .finish(|increment| -> Result<(), Refused> {
+                Ok(push(navigator.as_mut(), increment, scene, &source, &mut row)?)
+            })
+            .map_err(|refused| refused.at(samples, &source))?;
+        navigator.finish(&mut row);
+        written?;
+
+        Ok(Flight {
+            scene: scene.clone(),
+            samples,
+            window: plan.flown_window(scene),
+            skipped: plan.skipped(scene, &source, navigator.as_ref()),
+            digest: format!("{:016x}", navigator.digest()),
+            last: log.last,
+            max: log.max,
+            overview: log.overview,
+            first_minute: log.first_minute,
+            saturated: stream.saturated(),
+            lost: bridge.lost,
+            time: Some(timing::stages(scene, &source, navigator.as_ref())),
+        })
+    }
+}
+
+/// Flies a scene: [`Simulation::new`] and [`Simulation::fly`] in one.
 pub fn fly(
     scene: &Scene,
     force_all: bool,
     observe: &mut dyn FnMut(&Instant) -> Result<(), InputError>,
     progress: &dyn Fn(u64),
 ) -> Result<Flight, FlightError> {
-    let source = Source::new(scene, force_all)?;
-    let plan = Plan::new(scene, &source, force_all);
-    let samples = scene.samples();
-    let mut theory = Theory::new(scene).map_err(SourceError::Trajectory)?;
-    let interval_s = Pair::new(scene.rate_hz).reciprocal();
-    let initial = offset(&source.motion(0).initial(), scene);
-    let mut navigator =
-        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &initial)?;
-
-    let mut log = Log::new(samples, scene.rate_hz);
-    let mut written = Ok(());
-    let mut row = |n: u64, computed: &Solution<f64>| {
-        let instant = instant(&source, &mut theory, n, computed);
-        log.add(n, &instant);
-        if written.is_ok() {
-            written = observe(&instant);
-        }
-    };
-    row(0, &initial);
-    let mut stream = source.start(0);
-    let mut bridge = Bridge::new(scene.navigator.gap);
-    for sample in 1..=samples {
-        let measured = stream.advance();
-        let taken = bridge.take(measured, |increment| -> Result<(), Refused> {
-            Ok(push(navigator.as_mut(), increment, scene, &source, &mut row)?)
-        });
-        taken.map_err(|refused| refused.at(sample, &source))?;
-        if sample % 4096 == 0 {
-            progress(sample);
-        }
-    }
-    bridge
-        .finish(|increment| -> Result<(), Refused> {
-            Ok(push(navigator.as_mut(), increment, scene, &source, &mut row)?)
-        })
-        .map_err(|refused| refused.at(samples, &source))?;
-    navigator.finish(&mut row);
-    written?;
-
-    Ok(Flight {
-        scene: scene.clone(),
-        samples,
-        window: plan.flown_window(scene),
-        skipped: plan.skipped(scene, &source, navigator.as_ref()),
-        digest: format!("{:016x}", navigator.digest()),
-        last: log.last,
-        max: log.max,
-        overview: log.overview,
-        first_minute: log.first_minute,
-        saturated: stream.saturated(),
-        lost: bridge.lost,
-        time: Some(timing::stages(scene, &source, navigator.as_ref())),
-    })
+    Simulation::new(scene, force_all)?.fly(observe, progress)
 }
 
 impl Refused {
@@ -196,9 +226,12 @@ fn push(
     Ok(())
 }
 
-/// The truth, off by the scene's initial error.
+/// The truth, off by the scene's initial error; what is held is not off.
 fn offset(truth: &Solution<f64>, scene: &Scene) -> Solution<f64> {
-    let error = scene.initial_error;
+    let mut error = scene.initial_error;
+    if scene.navigator.vertical == Vertical::Held {
+        (error.position_m[2], error.velocity_m_s[2]) = (0.0, 0.0);
+    }
     let error = Drift {
         position_ned: error.position_m.into(),
         velocity_ned: error.velocity_m_s.into(),

@@ -61,8 +61,8 @@ impl Source {
         let course = scene.trajectory.build().map_err(SourceError::Trajectory)?;
         let interval_s = 1.0 / scene.rate_hz;
         let bandwidth = course.bound().bandwidth;
-        let quadrature =
-            if force_all { Quadrature::FINEST } else { Quadrature::plan(bandwidth, interval_s) };
+        let planned = Quadrature::plan(bandwidth, interval_s);
+        let quadrature = if force_all { planned.finest() } else { planned };
         let perfect = scene.gyro == Default::default() && scene.accelerometer == Default::default();
         let emulator = if perfect && !force_all {
             None
@@ -138,27 +138,36 @@ impl Samples<'_> {
     pub fn advance(&mut self) -> Option<Increment<f64>> {
         let source = self.source;
         let from_s = self.end_s;
-        self.sample += 1;
-        self.end_s = source.time_s(self.sample);
-        if source.jitter_s > 0.0 {
-            self.end_s += source.jitter_s * self.jitter.normal::<f64>();
-        }
+        self.step();
         let mut increment = source.perfect(from_s, self.end_s);
         if let (Some(emulator), Some(state)) = (&source.emulator, &mut self.state) {
             increment = emulator.emulate(state, &increment);
         }
-        let lost = source.loss > 0.0 && self.loss.uniform::<f64>() < source.loss;
-        (!lost).then_some(increment)
+        self.arrives().then_some(increment)
     }
 
-    /// The next sample as instantaneous rates at its end.
-    pub fn next_rates(&mut self) -> Rates<f64> {
-        self.sample += 1;
-        let rates = imu::rates(&self.source.motion(self.sample));
-        match (&self.source.emulator, &mut self.state) {
-            (Some(emulator), Some(state)) => emulator.emulate_rates(state, &rates),
-            _ => rates,
+    /// The next sample as instantaneous rates at its end; `None` if the link lost it.
+    pub fn advance_rates(&mut self) -> Option<Rates<f64>> {
+        self.step();
+        let mut rates = imu::rates(&self.source.course.at(self.end_s));
+        if let (Some(emulator), Some(state)) = (&self.source.emulator, &mut self.state) {
+            rates = emulator.emulate_rates(state, &rates);
         }
+        self.arrives().then_some(rates)
+    }
+
+    /// On to the end of the next sample, late or early by the link's jitter.
+    fn step(&mut self) {
+        self.sample += 1;
+        self.end_s = self.source.time_s(self.sample);
+        if self.source.jitter_s > 0.0 {
+            self.end_s += self.source.jitter_s * self.jitter.normal::<f64>();
+        }
+    }
+
+    /// Whether the link lets the sample through.
+    fn arrives(&mut self) -> bool {
+        self.source.loss == 0.0 || self.loss.uniform::<f64>() >= self.source.loss
     }
 
     /// Samples so far in which a sensor was at its limit.

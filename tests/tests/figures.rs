@@ -46,6 +46,18 @@ fn the_papers_flight_in_single_precision() {
 }
 
 #[test]
+fn two_float_products_bring_single_precision_to_millimetres() {
+    for name in ["paper-perfect", "stationary"] {
+        let flight = fly(name, |scene| {
+            (scene.navigator.precision, scene.navigator.window) =
+                (Precision::F32x2, window(0, 4, 0));
+        });
+        let [position_m, ..] = flight.max.norms;
+        assert!(position_m <= 5e-3, "{name}: {:?}", flight.max.norms);
+    }
+}
+
+#[test]
 fn hard_motion() {
     holds("hard", 1e-6, |scene| scene.navigator.window = window(4, 4, 0));
     holds("hard", 5e-9, |scene| scene.navigator.window = window(2, 4, 2));
@@ -78,7 +90,7 @@ fn standing_still_and_coning() {
 
 #[test]
 fn nothing_skipped_gives_the_same_answer() {
-    for name in ["paper-perfect", "hard", "stationary", "polar"] {
+    for name in ["paper-perfect", "hard", "stationary", "polar", "coning"] {
         let scene = builtin::scene(name).unwrap();
         let planned = fly(name, |_| {});
         let forced = simulate::fly(&scene, true, &mut |_| Ok(()), &|_| {}).unwrap();

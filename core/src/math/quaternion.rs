@@ -81,8 +81,14 @@ impl<R: Real> Quaternion<R> {
     #[inline(always)]
     pub fn normalised_less_one(self) -> Self {
         // e ← e − ½(2eₛ + |e|²)(1 + e)
-        let k = (self.w + self.w + self.dot(self)) * R::HALF;
+        let k = self.excess();
         Self { w: self.w - k * (R::ONE + self.w), v: self.v - self.v * k }
+    }
+
+    /// How much longer than one 1 + self is, to first order: ½(2eₛ + |e|²).
+    #[inline(always)]
+    pub fn excess(self) -> R {
+        (self.w + self.w + self.dot(self)) * R::HALF
     }
 
     /// The four-dimensional scalar product.

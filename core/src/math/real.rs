@@ -5,7 +5,7 @@
 //! This file is the only one that calls a transcendental function (libm's, so that the bits do not
 //! depend on the platform). IEEE 754 fixes the bits of + − × ÷ √ everywhere.
 
-use super::twin::{Both, DoubleTwin, Twin};
+use super::twin::{DoubleTwin, SingleTwin, Twin};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 #[cfg(feature = "std")]
@@ -232,5 +232,5 @@ scalar!(
     libm::sqrtf,
     |literal: f64| (literal - literal as f32 as f64) as f32,
     |single: f32, _: f64| single,
-    Both<f32>
+    SingleTwin
 );

@@ -82,3 +82,23 @@ impl Twin<f64> for wide::f64x2 {
         (a, b)
     }
 }
+
+/// Two singles: half a register.
+#[cfg(feature = "std")]
+pub type SingleTwin = wide::f32x4;
+/// Two singles.
+#[cfg(not(feature = "std"))]
+pub type SingleTwin = Both<f32>;
+
+#[cfg(feature = "std")]
+impl Twin<f32> for wide::f32x4 {
+    #[inline(always)]
+    fn new(a: f32, b: f32) -> Self {
+        Self::new([a, b, 0.0, 0.0])
+    }
+    #[inline(always)]
+    fn parts(self) -> (f32, f32) {
+        let [a, b, ..] = self.to_array();
+        (a, b)
+    }
+}

@@ -20,7 +20,7 @@ pub struct BlockTime<R> {
     pub half_gravity_square: Pair<R>,
     /// ω_ie T, rad.
     pub turn: Pair<R>,
-    /// sin ω_ie T and cos ω_ie T − 1.
+    /// sin ω_ie T.
     pub turn_sine: R,
     /// cos ω_ie T − 1.
     pub turn_cosine_less_one: R,

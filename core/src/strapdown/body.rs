@@ -6,6 +6,7 @@
 //! keeps single precision from losing what the sensor delivered.
 
 use super::fit::Fit;
+use crate::math::compensated::two_sum;
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
@@ -17,10 +18,52 @@ use crate::sample::Increment;
 pub struct BodyMotion<R> {
     /// Rotation end → start, less one: e = q_bb − 1.
     pub rotation: Quaternion<R>,
+    /// What rounding drops from its vector part; 0 unless two-float numbers are asked for.
+    pub rotation_low: Vector<R>,
     /// u = ∫ C f dt in the axes at the start, m/s.
     pub velocity: Vector<R>,
+    /// What rounding drops from it.
+    pub velocity_low: Vector<R>,
     /// s = ∬ C f dt² in the axes at the start, m.
     pub position: Vector<R>,
+}
+
+/// The sum of a block's increments.
+#[derive(Clone, Copy, Debug)]
+pub struct Sum<R> {
+    increment: Increment<R>,
+    /// What rounding dropped from it.
+    low: Increment<R>,
+    two_float: bool,
+}
+
+impl<R: Real> Sum<R> {
+    /// Of increments; with what rounding drops if two-float numbers are asked for.
+    #[inline(always)]
+    pub fn of(samples: &[Increment<R>], two_float: bool) -> Self {
+        let zero = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
+        let (mut increment, mut low) = (zero, zero);
+        for sample in samples {
+            if two_float {
+                let (angle, angle_low) = two_sums(increment.angle_b, sample.angle_b);
+                let (velocity, velocity_low) = two_sums(increment.velocity_b, sample.velocity_b);
+                increment = Increment { angle_b: angle, velocity_b: velocity };
+                low.angle_b = low.angle_b + angle_low;
+                low.velocity_b = low.velocity_b + velocity_low;
+            } else {
+                increment.angle_b = increment.angle_b + sample.angle_b;
+                increment.velocity_b = increment.velocity_b + sample.velocity_b;
+            }
+        }
+        Self { increment, low, two_float }
+    }
+}
+
+/// a + b = s + e, component by component, exactly.
+#[inline(always)]
+fn two_sums<R: Real>(a: Vector<R>, b: Vector<R>) -> (Vector<R>, Vector<R>) {
+    let pairs = a.zip(b, two_sum);
+    (pairs.map(|(s, _)| s), pairs.map(|(_, e)| e))
 }
 
 /// One coefficient, or the series at one σ: q (less one, at a point), U and D.
@@ -47,10 +90,8 @@ impl<R: Real> Term<R> {
 
     #[inline(always)]
     fn rotation(&self) -> Quaternion<R> {
-        {
-            let ((w, x), (y, z)) = (self.wx.parts(), self.yz.parts());
-            Quaternion::new(w, Vector::new(x, y, z))
-        }
+        let ((w, x), (y, z)) = (self.wx.parts(), self.yz.parts());
+        Quaternion::new(w, Vector::new(x, y, z))
     }
 
     #[inline(always)]
@@ -95,7 +136,7 @@ pub struct Series<R: Real, const N: usize> {
 #[inline(always)]
 pub fn integrate<R: Real, const K: usize, const N: usize>(
     fit: &Fit<R, K>,
-    sum: Increment<R>,
+    sum: &Sum<R>,
     half_time_s: R,
     order: usize,
 ) -> (BodyMotion<R>, Series<R, N>) {
@@ -142,20 +183,34 @@ pub fn integrate<R: Real, const K: usize, const N: usize>(
     // eₛ = 2a + a² + |A|² − b² − |B|²,  eᵥ = ½ΣΔθ + 2(Σ_odd qₙ beyond wₙ₋₁/2n + aB − bA + B × A)
     let (a, b) = (even.rotation(), odd.rotation());
     let curved = b.v * a.w - a.v * b.w + b.v.cross(a.v) + odd_rotation;
-    let e = Quaternion::new(
-        a.w + a.w + (a.dot(a) - b.dot(b)),
-        sum.angle_b * R::HALF + (curved + curved),
-    )
-    .normalised_less_one();
+    let half_sum = sum.increment.angle_b * R::HALF;
+    let scalar = a.w + a.w + (a.dot(a) - b.dot(b));
+    let (e, rotation_low) = if sum.two_float {
+        // Normalising shrinks the remainder, not the rotation itself.
+        let (v, low) = two_sums(half_sum, curved + curved);
+        let k = Quaternion::new(scalar, v).excess();
+        let low = low + sum.low.angle_b * R::HALF - v * k;
+        (Quaternion::new(scalar - k * (R::ONE + scalar), v), low)
+    } else {
+        let v = half_sum + (curved + curved);
+        (Quaternion::new(scalar, v).normalised_less_one(), Vector::ZERO)
+    };
     let end = even.motion.zip(odd.motion, |a, b| (a + b).parts());
     // u = ΣΔv + 2Σ_odd Uₙ beyond fₙ₋₁/n + (R − I)U₊
     let turned = e.turn_less_one(end.map(|(velocity, _)| velocity));
-    let u = sum.velocity_b + (odd_velocity + odd_velocity + turned);
+    let added = odd_velocity + odd_velocity + turned;
+    let (velocity, velocity_low) = if sum.two_float {
+        let (velocity, low) = two_sums(sum.increment.velocity_b, added);
+        (velocity, low + sum.low.velocity_b)
+    } else {
+        (sum.increment.velocity_b + added, Vector::ZERO)
+    };
     // s = (T/2)(R D₊ − D₋ − 2U₋) = (T/2)(2D_odd + 2U_odd − 2U_even + (R − I)D₊)
     let straight = odd.position() + odd.velocity() - even.velocity();
     let turned = e.turn_less_one(end.map(|(_, position)| position));
-    let s = (straight + straight + turned) * half_time_s;
-    (BodyMotion { rotation: e, velocity: u, position: s }, Series { terms, last: order, even, odd })
+    let position = (straight + straight + turned) * half_time_s;
+    let motion = BodyMotion { rotation: e, rotation_low, velocity, velocity_low, position };
+    (motion, Series { terms, last: order, even, odd })
 }
 
 impl<R: Real, const N: usize> Series<R, N> {
@@ -174,6 +229,8 @@ impl<R: Real, const N: usize> Series<R, N> {
         let (velocity, position) = (at.velocity(), at.position());
         BodyMotion {
             rotation: e,
+            rotation_low: Vector::ZERO,
+            velocity_low: Vector::ZERO,
             velocity: velocity - start.velocity() + e.turn_less_one(velocity),
             position: (position - start.position() - start.velocity() * (R::ONE + sigma)
                 + e.turn_less_one(position))

@@ -14,7 +14,7 @@ pub(super) struct Displacement<R> {
     pub relative: Vector<R>,
 }
 
-/// `low` is what `time` was rounded by, and `velocity_low` what `velocity` was.
+/// `low` is what the rounding of velocity and time takes from their product, m.
 #[inline(always)]
 pub(super) fn displacement<R: Real>(
     velocity: Vector<R>,

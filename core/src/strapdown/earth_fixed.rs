@@ -57,10 +57,19 @@ fn turn_back<R: Real>(half_sine: R, half_cosine_less_one: R) -> Quaternion<R> {
     Quaternion::new(half_cosine_less_one, Vector::new(R::ZERO, R::ZERO, -half_sine))
 }
 
+impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
+    /// v·t's share of the remainders of v and of t.
+    #[inline(always)]
+    fn moved_low(&self, time: &BlockTime<R>, fraction: R) -> Vector<R> {
+        self.velocity.low_product(time.time, fraction)
+    }
+}
+
 impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
     type Real = R;
     type Output = EarthFixedSolution<R>;
     type Step = EarthFixedStep<R>;
+    const TWO_FLOAT: bool = false;
 
     fn start(initial: &Solution<R>) -> Self {
         let at = initial.to_earth_fixed();
@@ -109,7 +118,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let (g0, nabla, nabla2) = (self.gravitation, self.difference, self.second_difference);
         // Δr = vT + C s + T²(½G₀ + ⅙∇ + ⅛∇²)
         let fall = g0 * R::HALF + nabla * R::of(1.0 / 6.0) + nabla2 * R::of(0.125);
-        let moved = v * t + (matrix * body.position + fall * time.square + v * time.time.lo);
+        let moved =
+            v * t + (matrix * body.position + fall * time.square + self.moved_low(time, R::ONE));
         let position = self.position.value() + moved;
         // G₁ = G(r + Δr), δ = G₁ − G₀, δ² = δ − ∇, δ³ = δ² − ∇²
         let g1 = self.latitude.gravitation(position);
@@ -149,7 +159,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         // r = r₀ + vτT + C s + T²(τ²G₀/2 + τ³b/6 + τ⁴c/12)
         let fall =
             (g0 * R::HALF + b * (tau * R::of(1.0 / 6.0)) + c * (tau2 * R::of(1.0 / 12.0))) * tau2;
-        let moved = v0 * (tau * t) + (step.matrix * body.position + fall * time.square);
+        let moved = v0 * (tau * t)
+            + (step.matrix * body.position + fall * time.square + self.moved_low(time, tau));
         let mut position = self.position;
         position.accumulate(moved);
         // v = v₀ + C u + T(τG₀ + τ²b/2 + τ³c/3)
@@ -175,10 +186,15 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
     fn hold_vertical(&mut self, altitude: R, down: R) {
         let r = self.position.value();
         let (up, lift) = self.latitude.vertical(r, altitude);
-        self.position.accumulate(up * lift);
-        // The vertical velocity is the same against the Earth and against inertial space.
+        let lifted = up * lift;
+        self.position.accumulate(lifted);
+        // The vertical velocity is the same against the Earth and against inertial space; the horizontal
+        // one stays against the Earth, v − ω × r.
+        let omega = Vector::new(R::ZERO, R::ZERO, R::of(ROTATION_RATE));
         let climb = up.dot(self.velocity.value()) + down;
-        self.velocity.accumulate(up * -climb);
+        self.velocity.accumulate(omega.cross(lifted) - up * climb);
+        let mut latitude = self.latitude;
+        self.gravitation = latitude.gravitation(self.position.value());
     }
 
     #[inline]

@@ -13,6 +13,8 @@ pub trait Frame: Copy {
     type Output: Output<Self::Real>;
     /// What the inside of a block needs to know of the step across it.
     type Step: Copy;
+    /// Whether it wants the body's motion with what rounding drops from it.
+    const TWO_FLOAT: bool;
 
     /// From an initial solution.
     fn start(initial: &Solution<Self::Real>) -> Self;
@@ -31,9 +33,16 @@ pub trait Frame: Copy {
     ) -> Self::Output;
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
     fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
+    /// Whether the axes are well defined where it stands.
+    fn is_regular(&self) -> bool {
+        true
+    }
     /// The state as it stands.
     fn output(&self) -> Self::Output;
 }
+
+/// cosφ below which north and east are not told apart any more: 640 m from a pole.
+pub(super) const POLAR_COSINE: f64 = 1e-4;
 
 /// A state that can be turned into a solution in local axes.
 pub trait Output<R: Real>: Copy {

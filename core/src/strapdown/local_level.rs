@@ -7,9 +7,10 @@
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::displacement::displacement;
-use super::frame::Frame;
+use super::frame::{Frame, POLAR_COSINE};
 use super::meridian::{Meridian, PlaceChange, curvature};
-use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic, SOMIGLIANA, height_factor};
+use super::two_float::{self, Place};
+use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic, ROTATION_RATE, SOMIGLIANA, height_factor};
 use crate::math::compensated::{Accumulate, Pair, two_sum};
 use crate::math::quaternion::{Matrix, Quaternion};
 use crate::math::real::Real;
@@ -33,6 +34,8 @@ pub struct LocalLevel<S: Accumulate> {
     curvature: S::Real,
     /// γ − γ_e here, m/s².
     gravity_excess: S::Real,
+    /// What rounding left over from Δλ + ωT; 0 without two-float products.
+    longitude_rest: S::Real,
     /// ∇ and ∇² of plumb gravity, in the present axes.
     difference: Vector<S::Real>,
     second_difference: Vector<S::Real>,
@@ -73,10 +76,7 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
     /// v·t's share of the remainders of v and of t.
     #[inline(always)]
     fn moved_low(&self, time: &BlockTime<R>, fraction: R) -> Vector<R> {
-        let v = self.velocity;
-        let t = time.time.hi * fraction;
-        let low = |s: S| s.remainder() * t + s.value() * (time.time.lo * fraction);
-        Vector::new(low(v.x), low(v.y), low(v.z))
+        self.velocity.low_product(time.time, fraction)
     }
 
     /// The change of δ: plumb gravity at the new place less that at the old one, in n0.
@@ -102,6 +102,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
     type Real = R;
     type Output = Solution<R>;
     type Step = LocalLevelStep<R>;
+    const TWO_FLOAT: bool = S::TWO_FLOAT;
 
     fn start(initial: &Solution<R>) -> Self {
         let (sine, cosine) = initial.position.latitude.sin_cos();
@@ -114,6 +115,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             attitude: initial.attitude.map(S::from_pair),
             curvature,
             gravity_excess: gravity_excess(sine.hi, initial.position.altitude.hi, curvature),
+            longitude_rest: R::ZERO,
             difference: Vector::ZERO,
             second_difference: Vector::ZERO,
         }
@@ -132,8 +134,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             let v = self.velocity.value();
             let moved = displacement(v, net, omega, t, Vector::ZERO);
             let change = meridian.moved(moved.relative);
-            let turn =
-                meridian.frame_turn(&change, change.longitude + R::of(earth::ROTATION_RATE) * t);
+            let turn = meridian.frame_turn(&change, change.longitude + R::of(ROTATION_RATE) * t);
             let sine = meridian.sine
                 + (meridian.sine * change.cosine_less_one + meridian.cosine * change.sine);
             let altitude = self.position.altitude.value() + change.altitude;
@@ -160,13 +161,29 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let mut fall = nabla * R::of(1.0 / 6.0) + nabla2 * R::of(0.125);
         fall.z = fall.z + self.gravity_excess * R::HALF;
         let mut net = matrix * body.position + fall * time.square;
-        net.z = net.z + time.half_gravity_square.hi;
+        net.z = net.z + time.half_gravity_square.hi + time.half_gravity_square.lo;
         let low = self.moved_low(time, R::ONE);
         let moved = displacement(velocity, net, omega, t, low);
         let change = meridian.moved(moved.relative);
-        let turn = meridian.frame_turn(&change, change.longitude + time.turn.hi);
+        let start = Place {
+            sine: self.sine.pair(),
+            cosine: self.cosine.pair(),
+            altitude: self.position.altitude.pair(),
+        };
+        let (moved_to, inertial_longitude) = if S::TWO_FLOAT {
+            let precise = start.change(&change, moved.relative);
+            let (sum, rest) =
+                two_float::inertial_longitude(precise.longitude, time.turn, self.longitude_rest);
+            self.longitude_rest = rest;
+            (precise, sum)
+        } else {
+            (change.whole(), change.longitude + time.turn.hi)
+        };
+        let turn = meridian.frame_turn(&change, inertial_longitude);
 
-        add_place(&mut self.position, &change);
+        self.position.latitude.add_pair(moved_to.latitude);
+        self.position.longitude.add_pair(moved_to.longitude);
+        self.position.altitude.add_pair(moved_to.altitude);
         let (s, c) = (meridian.sine, meridian.cosine);
         self.sine.add(c * change.sine + s * change.cosine_less_one);
         self.cosine.add(c * change.cosine_less_one - s * change.sine);
@@ -180,13 +197,23 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         // Δw = C u + T(G̃₁ − ½δ − δ²/12 − δ³/24) − Ω×d,  G̃₁ = G̃₀ + δ
         let mut mean = delta * R::HALF - delta2 * R::of(1.0 / 12.0) - delta3 * R::of(1.0 / 24.0);
         mean.z = mean.z + self.gravity_excess;
-        let rest = mean * t - omega.cross(moved.inertial);
-        let gained = matrix * body.velocity;
-        let (fallen, low) = two_sum(gained.z, time.gravity.hi);
-        self.velocity.x.add(gained.x + rest.x);
-        self.velocity.y.add(gained.y + rest.y);
-        self.velocity.z.add(fallen);
-        self.velocity.z.add(rest.z + (low + time.gravity.lo));
+        let drag = omega.cross(moved.inertial);
+        let rest = mean * t - drag;
+        if S::TWO_FLOAT {
+            let mut gained = two_float::rotated(self.attitude.pair(), body);
+            gained.z = gained.z + time.gravity;
+            self.velocity.accumulate_pair(gained);
+            // Ω was rounded with ω_ie.
+            let omega_low = R::residual(ROTATION_RATE) / R::of(ROTATION_RATE);
+            self.velocity.accumulate(rest - drag * omega_low);
+        } else {
+            let gained = matrix * body.velocity;
+            let (fallen, low) = two_sum(gained.z, time.gravity.hi);
+            self.velocity.x.add(gained.x + rest.x);
+            self.velocity.y.add(gained.y + rest.y);
+            self.velocity.z.add(fallen);
+            self.velocity.z.add(rest.z + (low + time.gravity.lo));
+        }
         self.gravity_excess = excess;
 
         // Into the axes at the end: v ← q* v, q_b ← q* ⊗ q_b ⊗ q_bb
@@ -195,8 +222,16 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         self.velocity.accumulate(dv);
         self.difference = delta + back.turn_less_one(delta);
         self.second_difference = delta2 + back.turn_less_one(delta2);
-        let turned = q * body.rotation;
-        self.attitude.accumulate(turned + back * (q + turned));
+        if S::TWO_FLOAT {
+            let turned = self.attitude.pair() * two_float::rotation(body);
+            self.attitude.accumulate_pair(turned);
+            let turn = start.frame_turn(turn, moved_to.latitude, inertial_longitude);
+            let turned = turn.conjugate() * self.attitude.pair();
+            self.attitude.accumulate_pair(turned);
+        } else {
+            let turned = q * body.rotation;
+            self.attitude.accumulate(turned + back * (q + turned));
+        }
         LocalLevelStep {
             matrix,
             meridian,
@@ -252,6 +287,11 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         self.gravity_excess = gravity_excess(self.sine.value(), altitude, self.curvature);
     }
 
+    #[inline(always)]
+    fn is_regular(&self) -> bool {
+        !R::any(self.cosine.value().less(R::of(POLAR_COSINE)))
+    }
+
     #[inline]
     fn output(&self) -> Solution<R> {
         solution(self.position, self.velocity, self.attitude)
@@ -283,6 +323,7 @@ where
         attitude,
         curvature,
         gravity_excess,
+        longitude_rest,
         difference,
         second_difference
     );

@@ -45,17 +45,25 @@ pub trait Mechanization {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Rejected {
-    /// An angle increment that is not finite, or above the limit.
+    /// An angle increment that is not finite, above the limit, or so large that a block of its kind
+    /// would turn by more than [`MOST_TURN`].
     Angle,
     /// A velocity increment that is not finite, or above the limit.
     Velocity,
+    /// The local-level frame has come within a ten-thousandth of the Earth's radius of a pole, where
+    /// its axes end: the Earth-fixed frame goes on.
+    Pole,
 }
+
+/// The largest angle that a block may turn by about one axis, rad: beyond it the series do not converge.
+pub const MOST_TURN: f64 = 2.0;
 
 impl core::fmt::Display for Rejected {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::Angle => "the angle increment is not finite or exceeds the limit",
+            Self::Angle => "the angle increment is not finite, exceeds the limit, or turns a block by over 2 rad",
             Self::Velocity => "the velocity increment is not finite or exceeds the limit",
+            Self::Pole => "the local-level frame ends at the pole; earth-fixed goes on",
         })
     }
 }
@@ -70,12 +78,14 @@ pub enum StartError {
     Interval,
     /// A limit is not a positive finite number.
     Limits,
-    /// The position is not finite, beyond ±90° of latitude, or farther than 10⁷ m from the ellipsoid.
+    /// The position is not finite, beyond ±90° of latitude, or farther than 1000 km from the ellipsoid.
     Position,
     /// The velocity is not finite or above 10⁵ m/s.
     Velocity,
     /// The attitude is not a unit quaternion to a thousandth.
     Attitude,
+    /// The local-level frame cannot start at a pole.
+    Pole,
 }
 
 impl core::fmt::Display for StartError {
@@ -86,6 +96,7 @@ impl core::fmt::Display for StartError {
             Self::Position => "the initial position must be finite, on Earth or near it",
             Self::Velocity => "the initial velocity must be finite and at most 100 km/s",
             Self::Attitude => "the initial attitude must be a unit quaternion",
+            Self::Pole => "the local-level frame cannot start at a pole; earth-fixed can",
         })
     }
 }
@@ -121,8 +132,8 @@ pub(super) struct Gate<R> {
 }
 
 impl<R: Real> Gate<R> {
-    /// For samples of an interval in seconds.
-    pub fn new(interval_s: R, limits: Limits<R>) -> Result<Self, StartError> {
+    /// For samples of an interval in seconds, so many to a block.
+    pub fn new(interval_s: R, limits: Limits<R>, block: usize) -> Result<Self, StartError> {
         let positive = |x: R| x.is_within(R::of(1e30)) & !R::any(x.less(R::of(1e-30)));
         if !positive(interval_s) || !interval_s.is_within(R::ONE) {
             return Err(StartError::Interval);
@@ -130,8 +141,10 @@ impl<R: Real> Gate<R> {
         if !positive(limits.angular_rate) || !positive(limits.specific_force) {
             return Err(StartError::Limits);
         }
+        let most_angle = limits.angular_rate * interval_s;
+        let most_turn = R::of(MOST_TURN) / R::count(block as u32);
         Ok(Self {
-            most_angle: limits.angular_rate * interval_s,
+            most_angle: R::select(most_turn.less(most_angle), most_turn, most_angle),
             most_velocity: limits.specific_force * interval_s,
         })
     }
@@ -151,18 +164,19 @@ impl<R: Real> Gate<R> {
 
 /// An initial solution, if it can be right, its attitude brought to unit length.
 pub(super) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>, StartError> {
-    let position = initial.position.map(|c| c.hi);
+    // A remainder that is not finite shows in the sum.
+    let position = initial.position.map(|c| c.hi + c.lo);
     let pole = R::of(core::f64::consts::FRAC_PI_2 * (1.0 + 1e-7));
     let on_earth = position.latitude.is_within(pole)
         & position.longitude.is_within(R::of(core::f64::consts::TAU))
-        & position.altitude.is_within(R::of(1e7));
+        & position.altitude.is_within(R::of(1e6));
     if !on_earth {
         return Err(StartError::Position);
     }
-    if !initial.velocity_ned.map(|c| c.hi).is_within(R::of(1e5)) {
+    if !initial.velocity_ned.map(|c| c.hi + c.lo).is_within(R::of(1e5)) {
         return Err(StartError::Velocity);
     }
-    let q = initial.attitude.map(|c| c.hi);
+    let q = initial.attitude.map(|c| c.hi + c.lo);
     if !(q.dot(q) - R::ONE).is_within(R::of(2e-3)) {
         return Err(StartError::Attitude);
     }

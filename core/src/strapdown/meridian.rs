@@ -3,7 +3,8 @@
 //! The displacement D is exact and straight; the ellipsoid curves away under it. Two passes over a
 //! short series reach the rounding floor for any block a vehicle can cross.
 
-use crate::earth::{ECCENTRICITY_SQUARED, SEMI_MAJOR_AXIS};
+use crate::earth::{ECCENTRICITY_SQUARED, Geodetic, SEMI_MAJOR_AXIS};
+use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
@@ -41,6 +42,19 @@ pub struct PlaceChange<R> {
     pub sine: R,
     /// cos Δφ − 1.
     pub cosine_less_one: R,
+    /// N′, m: RΔφ = N′ − bend.
+    pub(super) arc: R,
+    /// Δh sinΔφ + R_M′Δφ²/2 + (R_M″ − R)Δφ³/6, m.
+    pub(super) bend: R,
+}
+
+impl<R: Real> PlaceChange<R> {
+    /// Δφ, Δλ and Δh as they are.
+    #[inline(always)]
+    pub(super) fn whole(&self) -> Geodetic<Pair<R>> {
+        let Self { latitude, longitude, altitude, .. } = *self;
+        Geodetic { latitude, longitude, altitude }.map(Pair::new)
+    }
 }
 
 /// 1/W − 1 at a latitude's sine, W = √(1 − e² sin²φ), without cancellation.
@@ -101,6 +115,7 @@ impl<R: Real> Meridian<R> {
         let third = (self.second_slope - self.radius) * R::of(1.0 / 6.0);
         let mut latitude = north * self.inverse_radius;
         let mut altitude = up;
+        let mut bend = R::ZERO;
         for _ in 0..2 {
             let d = latitude;
             let d2 = d * d;
@@ -109,8 +124,8 @@ impl<R: Real> Meridian<R> {
                 + d2 * (self.radius * R::HALF + d * (self.slope * R::of(1.0 / 3.0) + d * fourth))
                 + altitude * versine;
             let sine = d - d * d2 * R::of(1.0 / 6.0);
-            latitude = (north - altitude * sine - d2 * (self.slope * R::HALF + d * third))
-                * self.inverse_radius;
+            bend = altitude * sine + d2 * (self.slope * R::HALF + d * third);
+            latitude = (north - bend) * self.inverse_radius;
         }
         let d2 = latitude * latitude;
         PlaceChange {
@@ -119,6 +134,8 @@ impl<R: Real> Meridian<R> {
             altitude,
             sine: latitude - latitude * d2 * (R::of(1.0 / 6.0) - d2 * R::of(1.0 / 120.0)),
             cosine_less_one: -(d2 * (R::HALF - d2 * R::of(1.0 / 24.0))),
+            arc: north,
+            bend,
         }
     }
 

@@ -13,5 +13,7 @@ pub mod meridian;
 pub mod navigator;
 pub mod plan;
 mod rows;
+mod stored;
 pub mod textbook;
+mod two_float;
 pub mod window;

@@ -4,12 +4,12 @@
 //! ahead instead; the last ones look back; so a stream of any length ends with a row for every sample.
 
 use super::block_time::BlockTime;
-use super::body::{self, BodyMotion};
+use super::body::{self, BodyMotion, Sum};
 use super::fit::{Fit, MOST_SAMPLES};
 use super::frame::Frame;
 use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, admit_start};
 use super::rows::{Every, Read, Unread};
-use super::window::{BlockSeries, FIRST_SAMPLES, LINE_LAST_SAMPLES, Window, sum};
+use super::window::{BlockSeries, LINE_LAST_SAMPLES, Window};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
@@ -36,15 +36,15 @@ pub struct Strapdown<F: Frame, W> {
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct State<F: Frame, W: Window> {
-    frame: F,
+    pub(super) frame: F,
     /// The latest samples, of which the last `pending` are not integrated yet.
-    samples: W::Samples<Increment<F::Real>>,
-    filled: usize,
-    pending: usize,
+    pub(super) samples: W::Samples<Increment<F::Real>>,
+    pub(super) filled: usize,
+    pub(super) pending: usize,
     /// Samples integrated since the start.
-    integrated: u64,
+    pub(super) integrated: u64,
     /// Samples of the block that the gravity history belongs to; 0 before the first.
-    seeded: usize,
+    pub(super) seeded: usize,
 }
 
 impl<F: Frame, W: Window> State<F, W> {
@@ -70,7 +70,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         Ok(Self {
             interval: interval_s,
             block: BlockTime::new(interval_s, W::BLOCK),
-            gate: Gate::new(interval_s.hi, limits)?,
+            gate: Gate::new(interval_s.hi + interval_s.lo, limits, W::BLOCK)?,
             order: W::TERMS,
             window: PhantomData,
         })
@@ -85,8 +85,12 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// Starts from an initial solution, whose attitude is brought to unit length.
     pub fn start(&self, initial: &Solution<R>) -> Result<State<F, W>, StartError> {
         let initial = admit_start(initial)?;
+        let frame = F::start(&initial);
+        if !frame.is_regular() {
+            return Err(StartError::Pole);
+        }
         Ok(State {
-            frame: F::start(&initial),
+            frame,
             samples: W::Samples::default(),
             filled: 0,
             pending: 0,
@@ -138,13 +142,16 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         read: &mut impl Read<F::Output>,
     ) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
+        if !state.frame.is_regular() {
+            return Err(Rejected::Pole);
+        }
         self.store(state, sample);
         let past = state.filled - state.pending;
         if past < W::HISTORY {
-            if state.filled < FIRST_SAMPLES {
+            if state.filled < W::FIRST {
                 return Ok(());
             }
-            self.edge_block(state, past, W::BLOCK, FIRST_SAMPLES, read);
+            self.edge_block(state, past, W::BLOCK, W::FIRST, read);
         }
         while state.pending >= W::BLOCK + W::LOOKAHEAD {
             self.whole_block(state, read);
@@ -157,10 +164,12 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     fn store(&self, state: &mut State<F, W>, sample: Increment<R>) {
         let samples = state.samples.as_mut();
         if state.filled >= samples.len() {
-            for i in W::BLOCK..samples.len() {
-                samples[i - W::BLOCK] = samples[i];
+            // After an early `finish`, more than a block's length may still be pending.
+            let drop = W::BLOCK.min(state.filled - state.pending);
+            for from in drop..samples.len() {
+                samples[from - drop] = samples[from];
             }
-            state.filled = samples.len() - W::BLOCK;
+            state.filled = samples.len() - drop;
         }
         if let Some(slot) = samples.get_mut(state.filled) {
             *slot = sample;
@@ -173,7 +182,9 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F::Output>) {
         let begin = state.filled - state.pending - W::HISTORY;
         let window = state.samples.as_ref().get(begin..).unwrap_or(&[]);
-        if let Some((body, series)) = W::integrate::<R>(window, self.block.half, self.order) {
+        if let Some((body, series)) =
+            W::integrate::<R>(window, self.block.half, self.order, F::TWO_FLOAT)
+        {
             self.step(state, &self.block, W::BLOCK, &body, &series, read);
         }
     }
@@ -196,7 +207,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let fit = Fit::<R, MOST_SAMPLES>::of_any(window, history, block);
         let (body, series) = body::integrate::<R, MOST_SAMPLES, { EDGE_TERMS + 1 }>(
             &fit,
-            sum(own),
+            &Sum::of(own, F::TWO_FLOAT),
             time.half,
             EDGE_TERMS,
         );

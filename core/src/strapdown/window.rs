@@ -4,14 +4,13 @@
 //! look-ahead, which delay the output. Wider windows follow faster motion; a straight line over a
 //! long block is the cheapest for slow motion.
 
-use super::body::{BodyMotion, Series, integrate};
+use super::body::{BodyMotion, Series, Sum, integrate};
 use super::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
 use crate::math::real::Real;
-use crate::math::vector::Vector;
 use crate::sample::Increment;
 
-/// Samples in the window of the first block, where history is wanted and there is none.
-pub const FIRST_SAMPLES: usize = 10;
+/// Samples at least in the window of the first block, where history is wanted and there is none.
+const FIRST_SAMPLES: usize = 10;
 
 /// Samples in the windows of the last blocks of a stream that straight lines were fitted to.
 pub const LINE_LAST_SAMPLES: usize = 8;
@@ -26,6 +25,8 @@ pub trait Window: Copy + Default + 'static {
     const LOOKAHEAD: usize;
     /// All of them.
     const SAMPLES: usize = Self::HISTORY + Self::BLOCK + Self::LOOKAHEAD;
+    /// Samples in the window of the first block.
+    const FIRST: usize = if Self::SAMPLES < FIRST_SAMPLES { FIRST_SAMPLES } else { Self::SAMPLES };
     /// Coefficients of the fit: as many as samples, or 2 for a straight line.
     const COEFFICIENTS: usize;
     /// Order of the series at most: for the fastest motion.
@@ -37,11 +38,12 @@ pub trait Window: Copy + Default + 'static {
     type Series<R: Real>: BlockSeries<R>;
 
     /// Integrates the block within the window's samples by a series up to σ^`order`; `None` if the
-    /// samples are too few.
+    /// samples are too few. With `two_float` the motion comes with what rounding drops from it.
     fn integrate<R: Real>(
         samples: &[Increment<R>],
         half_time_s: R,
         order: usize,
+        two_float: bool,
     ) -> Option<(BodyMotion<R>, Self::Series<R>)>;
 }
 
@@ -56,17 +58,6 @@ impl<R: Real, const N: usize> BlockSeries<R> for Series<R, N> {
     fn until(&self, sigma: R, half_time_s: R) -> BodyMotion<R> {
         Series::until(self, sigma, half_time_s)
     }
-}
-
-/// The sum of increments.
-#[inline(always)]
-pub(super) fn sum<R: Real>(samples: &[Increment<R>]) -> Increment<R> {
-    let mut sum = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
-    for sample in samples {
-        sum.angle_b = sum.angle_b + sample.angle_b;
-        sum.velocity_b = sum.velocity_b + sample.velocity_b;
-    }
-    sum
 }
 
 macro_rules! windows {
@@ -91,6 +82,7 @@ macro_rules! windows {
                     samples: &[Increment<R>],
                     half_time_s: R,
                     order: usize,
+                    two_float: bool,
                 ) -> Option<(BodyMotion<R>, Self::Series<R>)> {
                     const P: usize = $h + $b + $a;
                     const SINGLE: &[[f32; P]; $k] = &table_f32::<P, $k>($h, $b);
@@ -98,7 +90,8 @@ macro_rules! windows {
                     let samples = samples.first_chunk::<P>()?;
                     let fit = Fit::of(samples, SINGLE, DOUBLE);
                     let block = samples.get($h..$h + $b)?;
-                    Some(integrate::<R, $k, { $m + 1 }>(&fit, sum(block), half_time_s, order))
+                    let sum = Sum::of(block, two_float);
+                    Some(integrate::<R, $k, { $m + 1 }>(&fit, &sum, half_time_s, order))
                 }
             }
         )+

@@ -75,7 +75,7 @@ impl RunArgs {
     pub fn scene(&self) -> Result<Scene, InputError> {
         let mut scene = load(self.scene.as_deref())?;
         self.flight.apply(&mut scene)?;
-        self.navigator.apply(&mut scene.navigator);
+        self.navigator.apply(&mut scene.navigator)?;
         Ok(scene)
     }
 }
@@ -148,6 +148,13 @@ pub struct ReplayArgs {
 impl ReplayArgs {
     /// What no option alone can get wrong: an end before the start.
     pub fn check(&self) -> Result<(), InputError> {
+        for (option, file) in [("--imu", Some(&self.imu)), ("--initial", self.initial.as_ref())] {
+            let same = file.and_then(|file| file.canonicalize().ok());
+            if same.is_some() && same == self.out.canonicalize().ok() {
+                let what = format!("is the file that {option} reads");
+                return Err(InputError::option("--out", Complaint::new(what, "another file")));
+            }
+        }
         let (Some(start), Some(until)) = (self.start, self.until) else { return Ok(()) };
         let begin = start + self.align.unwrap_or(0.0);
         if until > begin {

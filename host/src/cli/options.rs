@@ -61,13 +61,18 @@ impl FlightOptions {
 
 impl NavigatorOptions {
     /// Puts what was given in place of the scene's own.
-    pub fn apply(&self, navigator: &mut Navigator) {
+    pub fn apply(&self, navigator: &mut Navigator) -> Result<(), InputError> {
         navigator.frame = self.frame.unwrap_or(navigator.frame);
         navigator.precision = self.precision.unwrap_or(navigator.precision);
         navigator.algorithm = self.algorithm.unwrap_or(navigator.algorithm);
         if let Some(Window(window)) = self.window {
             navigator.window = window;
+            if window.is_some() && navigator.algorithm == Algorithm::Textbook {
+                let complaint = Complaint::new("textbook has no window", "--algorithm taylor");
+                return Err(InputError::option("--window", complaint));
+            }
         }
+        Ok(())
     }
 }
 
@@ -96,7 +101,7 @@ fn duration_s(text: &str) -> Result<f64, Complaint> {
     number(text, &limits::DURATION_S)
 }
 
-fn rate_hz(text: &str) -> Result<f64, Complaint> {
+pub(super) fn rate_hz(text: &str) -> Result<f64, Complaint> {
     number(text, &limits::RATE_HZ)
 }
 
@@ -112,11 +117,10 @@ fn window(text: &str) -> Result<Window, Complaint> {
     if text == "auto" {
         return Ok(Window(None));
     }
-    let accepted = "auto, or history,block,lookahead in samples: 2,4,2";
-    let wrong = || Complaint::new("is not a window", accepted);
+    let wrong = || Complaint::new("is not a window", limits::windows());
     let counts: Vec<u64> =
         text.split(',').map(|n| n.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
     let [history, block, lookahead] = counts[..] else { return Err(wrong()) };
     let shape = limits::window(history, block, lookahead);
-    shape.map(|shape| Window(Some(shape))).map_err(|c| Complaint::new(c.what, accepted))
+    shape.map(|shape| Window(Some(shape)))
 }

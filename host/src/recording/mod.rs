@@ -78,6 +78,11 @@ impl Recording {
         self.samples.first().map_or(0.0, |first| first.time_s) - self.interval_s
     }
 
+    /// The end of the last sample, s.
+    pub fn end_s(&self) -> f64 {
+        self.samples.last().map_or(0.0, |last| last.time_s)
+    }
+
     /// The steps that differ from the sample interval by more than three quarters of it. Smaller
     /// differences are taken for jitter and rounding of the time stamps.
     pub fn gaps(&self) -> impl Iterator<Item = Gap> {

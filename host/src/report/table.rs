@@ -163,8 +163,32 @@ pub fn verdict(flight: &Flight) -> [String; 2] {
     } else {
         "Theory: no drift to expect; the error is the navigator's own.".to_owned()
     };
-    [outcome, theory]
+    [outcome, outside_theory(flight).unwrap_or(theory)]
 }
+
+/// What happened that the linear error model does not know, if anything.
+fn outside_theory(flight: &Flight) -> Option<String> {
+    let mut reasons = Vec::new();
+    if flight.saturated > 0 {
+        reasons.push(format!("{} samples were saturated", flight.saturated));
+    }
+    if flight.lost > 0 {
+        reasons.push(format!("{} samples were lost", flight.lost));
+    }
+    if flight.scene.link.jitter_s > 0.0 {
+        reasons.push("the sampling jitters".to_owned());
+    }
+    let sigma = norm(flight.last.sigma.position_m) + norm(flight.last.mean.position_m);
+    if sigma > LINEAR_M {
+        reasons.push(format!("{} of drift is beyond it", Quantity::Position.show(sigma)));
+    }
+    let what = reasons.join(", ");
+    (!what.is_empty())
+        .then(|| format!("Theory: not comparable, the linear model ends where {what}."))
+}
+
+/// Drift up to which the error model is linear enough to compare with, m.
+const LINEAR_M: f64 = 2e5;
 
 #[cfg(test)]
 mod tests {

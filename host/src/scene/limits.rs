@@ -5,6 +5,8 @@ use super::{Channel, Scene, WindowShape};
 use crate::input::{Complaint, Range};
 use crate::units::DEGREE;
 use schuler::earth::SEMI_MAJOR_AXIS;
+use schuler::strapdown::plan;
+use schuler::strapdown::window::NAMED;
 
 /// Length of a scene, s.
 pub const DURATION_S: Range = Range::above(0.0, 1e9, "seconds, above 0 and at most 1e9");
@@ -18,8 +20,8 @@ pub const MAX_SAMPLES: u64 = u32::MAX as u64;
 /// Altitude, m.
 pub const ALTITUDE_M: Range =
     Range::from_to(-10_000.0, 1_000_000.0, "metres, from -10000 to 1000000");
-/// The most samples that a window may span.
-pub const MAX_WINDOW: usize = 64;
+/// Rms of the link's jitter, samples: instants that far apart do not change their order.
+const MAX_JITTER: f64 = 0.1;
 
 /// Angular rate of one attitude channel, rad/s.
 const MAX_ANGULAR_RATE: f64 = 1e5 * DEGREE;
@@ -28,23 +30,22 @@ const MAX_ACCELERATION: f64 = 1e5;
 /// Speed along one channel, m/s.
 const MAX_SPEED: f64 = 1e5;
 
-/// What a window may be, for people; the navigator knows which of them it has.
-pub const WINDOW: &str = "\"auto\", or history, block and lookahead: samples, the block at least 1";
+/// What a window may be, for people.
+pub fn windows() -> String {
+    let shapes = NAMED.iter().map(|(h, b, a)| format!("{h},{b},{a}"));
+    format!("\"auto\", or history,block,lookahead: {}", shapes.collect::<Vec<_>>().join("; "))
+}
 
 /// A window's shape, from its numbers.
 pub fn window(history: u64, block: u64, lookahead: u64) -> Result<WindowShape, Complaint> {
-    let most = MAX_WINDOW as u64;
-    let spans = history.checked_add(block).and_then(|n| n.checked_add(lookahead));
-    if block == 0 {
-        Err(Complaint::new("the block is empty", WINDOW))
-    } else if spans.is_none_or(|n| n > most) {
-        Err(Complaint::new(format!("the window spans more than {most} samples"), WINDOW))
-    } else {
-        Ok(WindowShape {
-            history: history as usize,
-            block: block as usize,
-            lookahead: lookahead as usize,
-        })
+    let is_named =
+        |&&(h, b, a): &&plan::Shape| (h as u64, b as u64, a as u64) == (history, block, lookahead);
+    match NAMED.iter().find(is_named) {
+        Some(&shape) => Ok(shape.into()),
+        None => {
+            let what = format!("there is no window {history},{block},{lookahead}");
+            Err(Complaint::new(what, windows()))
+        }
     }
 }
 
@@ -117,11 +118,11 @@ pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
             return Err(("trajectory.altitude_m", complaint));
         }
     }
-    if scene.link.jitter_s * scene.rate_hz >= 1.0 {
+    if scene.link.jitter_s * scene.rate_hz > MAX_JITTER {
         return blame(
             "link.jitter_s",
-            format!("{} s is not less than a sample", scene.link.jitter_s),
-            format!("seconds, from 0 to below {}", 1.0 / scene.rate_hz),
+            format!("{} s is more than a tenth of a sample", scene.link.jitter_s),
+            format!("seconds, from 0 to {}", MAX_JITTER / scene.rate_hz),
         );
     }
     Ok(())

@@ -172,6 +172,8 @@ pub enum Precision {
     F64,
     /// Single, compensated sums: "f32".
     F32,
+    /// Single, with two-float products where they count: "f32x2".
+    F32x2,
 }
 
 /// Integration method.
@@ -238,7 +240,7 @@ macro_rules! names {
 }
 
 names!(Frame: LocalLevel = "local-level", EarthFixed = "earth-fixed");
-names!(Precision: F64 = "f64", F32 = "f32");
+names!(Precision: F64 = "f64", F32 = "f32", F32x2 = "f32x2");
 names!(Algorithm: Taylor = "taylor", Textbook = "textbook");
 names!(Vertical: Free = "free", Held = "held");
 names!(Gap: Error = "error", Bridge = "bridge");

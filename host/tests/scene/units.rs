@@ -139,14 +139,14 @@ fn initial_error_in_north_east_down() {
 #[test]
 fn navigator_and_link() {
     let text = "title = \"T\"\nseed = 7\n[navigator]\nframe = \"earth-fixed\"\nprecision = \"f32\"\n\
-        algorithm = \"textbook\"\nwindow = { history = 2, block = 4, lookahead = 1 }\n\
+        algorithm = \"textbook\"\nwindow = { history = 2, block = 4, lookahead = 2 }\n\
         vertical = \"held\"\ngap = \"bridge\"\n[link]\nloss = 0.25\njitter_s = 1e-4\n";
     let scene = scene(text).expect("valid");
     let navigator = Navigator {
         frame: Frame::EarthFixed,
         precision: Precision::F32,
         algorithm: Algorithm::Textbook,
-        window: Some(WindowShape { history: 2, block: 4, lookahead: 1 }),
+        window: Some(WindowShape { history: 2, block: 4, lookahead: 2 }),
         vertical: Vertical::Held,
         gap: Gap::Bridge,
     };

@@ -77,7 +77,8 @@ fn field(r: Vector<f64>) -> Vector<f64> {
                 ((2.0 * k - 1.0) * sine * legendre[n - 1] - (k - 1.0) * legendre[n - 2]) / k;
         }
         // V without its leading GM/r, which is differentiated by hand
-        let tail = |(n, j): (usize, f64)| j * (SEMI_MAJOR_AXIS / length).powi(n as i32) * legendre[n];
+        let tail =
+            |(n, j): (usize, f64)| j * (SEMI_MAJOR_AXIS / length).powi(n as i32) * legendre[n];
         -GM / length * zonals.map(tail).iter().sum::<f64>()
     };
     let step = 100.0;
@@ -115,9 +116,8 @@ fn earth_turns_about_its_axis() {
 
 #[test]
 fn earth_fixed_places_by_hand() {
-    let at = |latitude, longitude, altitude| {
-        Geodetic { latitude, longitude, altitude }.to_earth_fixed()
-    };
+    let at =
+        |latitude, longitude, altitude| Geodetic { latitude, longitude, altitude }.to_earth_fixed();
     // b = 6356752.3142 m
     assert!((at(FRAC_PI_2, 1.0, 0.0) - Vector::new(0.0, 0.0, 6356752.314245179)).norm() < 2e-9);
     assert!((at(-FRAC_PI_2, 1.0, 5.0) - Vector::new(0.0, 0.0, -6356757.314245179)).norm() < 2e-9);

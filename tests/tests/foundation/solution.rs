@@ -101,7 +101,8 @@ fn earth_fixed_axes_by_geometry() {
         assert!((hi(at.position_e) - place.to_earth_fixed()).norm() < 3e-9);
         // Down is inwards along the ellipsoid's normal, north along the meridian.
         let ((s, c), (sl, cl)) = (place.latitude.sin_cos(), place.longitude.sin_cos());
-        let axes = [[-s * cl, -s * sl, c], [-sl, cl, 0.0], [-c * cl, -c * sl, -s]].map(Vector::from);
+        let axes =
+            [[-s * cl, -s * sl, c], [-sl, cl, 0.0], [-c * cl, -c * sl, -s]].map(Vector::from);
         let to_earth = |v: Vector<f64>| axes[0] * v.x + axes[1] * v.y + axes[2] * v.z;
         let v = hi(solution.velocity_ned);
         assert!((hi(at.velocity_e) - to_earth(v)).norm() < 3e-13);

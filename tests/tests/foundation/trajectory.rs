@@ -74,7 +74,8 @@ fn a_channel_is_what_its_equation_says() {
     .unwrap();
     for t in [0.0, 0.7, 11.3, 1234.5] {
         let motion = course.at(t);
-        let sum: f64 = tones.iter().map(|h| h.amplitude * (h.angular_rate * t + h.phase).cos()).sum();
+        let sum: f64 =
+            tones.iter().map(|h| h.amplitude * (h.angular_rate * t + h.phase).cos()).sum();
         assert!((motion.pitch.value - (3.0 - 0.5 * t + sum)).abs() < 1e-12);
         assert_eq!(motion.altitude, motion.pitch);
         assert_eq!(motion.longitude, Jet { value: 1.0, first: 0.0, second: 0.0 });

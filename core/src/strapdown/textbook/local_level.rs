@@ -9,6 +9,7 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::record::{Record, record};
 use crate::solution::Solution;
+use crate::strapdown::frame::POLAR_COSINE;
 
 /// State in local-level axes.
 #[derive(Clone, Copy, Debug)]
@@ -96,6 +97,11 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
     fn hold_vertical(&mut self, altitude: R, down: R) {
         self.position.altitude = altitude;
         self.velocity.z = down;
+    }
+
+    #[inline(always)]
+    fn is_regular(&self) -> bool {
+        !R::any(self.cosine.less(R::of(POLAR_COSINE)))
     }
 
     fn output(&self) -> Solution<R> {

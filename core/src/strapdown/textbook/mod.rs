@@ -34,6 +34,10 @@ pub trait TextbookFrame: Copy {
     fn step(&mut self, interval_s: Self::Real, body: &Compensated<Self::Real>);
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
     fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
+    /// Whether the axes are well defined where it stands.
+    fn is_regular(&self) -> bool {
+        true
+    }
     /// The state as it stands.
     fn output(&self) -> Self::Output;
 }
@@ -51,9 +55,9 @@ pub struct Textbook<F: TextbookFrame> {
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TextbookState<F: TextbookFrame> {
-    frame: F,
-    previous: Increment<F::Real>,
-    integrated: u64,
+    pub(super) frame: F,
+    pub(super) previous: Increment<F::Real>,
+    pub(super) integrated: u64,
 }
 
 impl<F: TextbookFrame> Textbook<F> {
@@ -64,7 +68,11 @@ impl<F: TextbookFrame> Textbook<F> {
 
     /// With a sampling interval in seconds and limits.
     pub fn with_limits(interval_s: F::Real, limits: Limits<F::Real>) -> Result<Self, StartError> {
-        Ok(Self { interval: interval_s, gate: Gate::new(interval_s, limits)?, frame: PhantomData })
+        Ok(Self {
+            interval: interval_s,
+            gate: Gate::new(interval_s, limits, 1)?,
+            frame: PhantomData,
+        })
     }
 }
 
@@ -78,7 +86,11 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         let initial = admit_start(initial)?;
         // No previous sample: no rotation and no force, hence no coning and no sculling.
         let previous = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
-        Ok(TextbookState { frame: F::start(&initial), previous, integrated: 0 })
+        let frame = F::start(&initial);
+        if !frame.is_regular() {
+            return Err(StartError::Pole);
+        }
+        Ok(TextbookState { frame, previous, integrated: 0 })
     }
 
     #[inline(always)]
@@ -88,6 +100,9 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         sample: Increment<F::Real>,
     ) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
+        if !state.frame.is_regular() {
+            return Err(Rejected::Pole);
+        }
         let body = Compensated::of(&sample, &state.previous);
         state.frame.step(self.interval, &body);
         state.previous = sample;

@@ -25,6 +25,8 @@ const KEYS: &[&str] = &[
     "link",
 ];
 const NAVIGATOR: &[&str] = &["frame", "precision", "algorithm", "window", "vertical", "gap"];
+/// More samples than any window spans.
+const MOST_SAMPLES: u64 = 1000;
 const WINDOW: &[&str] = &["history", "block", "lookahead"];
 const LINK: &[&str] = &["loss", "jitter_s"];
 const INITIAL_ERROR: &[&str] = &[
@@ -66,14 +68,17 @@ fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
     let Some(section) = root.section("initial_error", INITIAL_ERROR)? else {
         return Ok(InitialError::default());
     };
-    let get = |key: &str, unit: f64| Ok(section.number_or(key, 0.0, &Range::FINITE)? * unit);
-    let three = |keys: [&str; 3], unit| -> Result<[f64; 3], InputError> {
-        Ok([get(keys[0], unit)?, get(keys[1], unit)?, get(keys[2], unit)?])
+    let three = |keys: [&str; 3], range: Range, unit| -> Result<[f64; 3], InputError> {
+        let get = |key: &str| Ok(section.number_or(key, 0.0, &range)? * unit);
+        Ok([get(keys[0])?, get(keys[1])?, get(keys[2])?])
     };
+    let metres = Range::from_to(-1e5, 1e5, "metres, from -1e5 to 1e5");
+    let speed = Range::from_to(-1e4, 1e4, "m/s, from -1e4 to 1e4");
+    let angle = Range::from_to(-648_000.0, 648_000.0, "arcsec, from -648000 to 648000");
     Ok(InitialError {
-        position_m: three(["north_m", "east_m", "down_m"], 1.0)?,
-        velocity_m_s: three(["north_m_s", "east_m_s", "down_m_s"], 1.0)?,
-        attitude_rad: three(["roll_arcsec", "pitch_arcsec", "yaw_arcsec"], ARCSECOND)?,
+        position_m: three(["north_m", "east_m", "down_m"], metres, 1.0)?,
+        velocity_m_s: three(["north_m_s", "east_m_s", "down_m_s"], speed, 1.0)?,
+        attitude_rad: three(["roll_arcsec", "pitch_arcsec", "yaw_arcsec"], angle, ARCSECOND)?,
     })
 }
 
@@ -103,12 +108,11 @@ fn window(value: &Value<'_>) -> Result<Option<WindowShape>, InputError> {
         return value.choice(&[("auto", None)]);
     }
     if !value.is_table() {
-        let complaint = Complaint::new("is neither text nor a table", limits::WINDOW);
+        let complaint = Complaint::new("is neither text nor a table", limits::windows());
         return Err(value.error(complaint));
     }
     let section = value.section(WINDOW)?;
-    let get =
-        |key| section.require(key, "a number of samples")?.integer(0, limits::MAX_WINDOW as u64);
+    let get = |key| section.require(key, "a number of samples")?.integer(0, MOST_SAMPLES);
     let shape = limits::window(get("history")?, get("block")?, get("lookahead")?);
     shape.map(Some).map_err(|complaint| value.error(complaint))
 }

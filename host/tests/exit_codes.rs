@@ -1,0 +1,99 @@
+//! The program as a user meets it: exit codes, what it says, and what it leaves behind.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn schuler(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_schuler"));
+    command.current_dir(folder).args(arguments).output().unwrap()
+}
+
+/// Runs, and expects an exit code and words on the error stream.
+fn expect(folder: &Path, arguments: &[&str], code: i32, words: &[&str]) {
+    let done = schuler(folder, arguments);
+    let said = String::from_utf8_lossy(&done.stderr);
+    assert_eq!(done.status.code(), Some(code), "{arguments:?}: {said}");
+    for word in words {
+        assert!(said.contains(word), "{arguments:?} does not say {word}: {said}");
+    }
+}
+
+const SCENE: &str = "duration_s = 2\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\n";
+
+#[test]
+fn a_run_succeeds_and_writes_its_files() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("still.toml"), SCENE).unwrap();
+    expect(folder.path(), &["run", "still.toml"], 0, &[]);
+    for file in ["summary.json", "drift.csv", "drift.png", "report.html"] {
+        assert!(folder.path().join("out/still").join(file).is_file(), "{file}");
+    }
+}
+
+#[test]
+fn bad_input_is_told_and_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let cases: [(&str, &[&str]); 5] = [
+        ("[navigator]\nwindow = { history = 1, block = 1, lookahead = 1 }\n", &[":6:", "2,4,2"]),
+        ("[initial_error]\nyaw_arcsec = 1e9\n", &[":6:", "yaw_arcsec", "648000"]),
+        ("[navigator]\nprecision = \"f32x2\"\nframe = \"earth-fixed\"\n", &["precision", "f64"]),
+        ("[link]\njitter_s = 0.04\n", &[":6:", "jitter_s"]),
+        ("[navigator]\nframe = \"sideways\"\n", &[":6:", "frame", "local-level"]),
+    ];
+    for (text, words) in cases {
+        fs::write(folder.path().join("bad.toml"), format!("{SCENE}{text}")).unwrap();
+        expect(folder.path(), &["run", "bad.toml"], 2, words);
+        assert!(!folder.path().join("out").exists(), "{text}");
+    }
+}
+
+#[test]
+fn a_run_that_cannot_go_on_says_where() {
+    let folder = tempfile::tempdir().unwrap();
+    let lossy = format!("{SCENE}[link]\nloss = 0.5\n");
+    fs::write(folder.path().join("lossy.toml"), lossy).unwrap();
+    expect(folder.path(), &["run", "lossy.toml"], 1, &["sample", "lost", "bridge"]);
+    let arguments = ["run", "polar", "--frame", "local-level"];
+    expect(folder.path(), &arguments, 1, &["sample", "pole", "earth-fixed"]);
+    let spin = format!("{SCENE}roll_deg = {{ rate = 1e4 }}\n");
+    fs::write(folder.path().join("spin.toml"), spin).unwrap();
+    expect(folder.path(), &["run", "spin.toml"], 1, &["sample 1", "turns a block"]);
+}
+
+#[test]
+fn an_emulated_stream_is_replayed_to_where_it_went() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    expect(folder.path(), &["emulate", "hard", "--out", "imu.csv", "--perfect"], 0, &[]);
+    let initial = "time_s = 0\nlatitude_deg = 45.00000089933829\nlongitude_deg = 100\n\
+        altitude_m = 3500.1\nnorth_m_s = 0\neast_m_s = 0\ndown_m_s = 0\n\
+        roll_deg = 0\npitch_deg = 5\nyaw_deg = 5\n";
+    // 0.1 m north of 45°: 0.1/(R_M + 3500 m) is 8.99338e-7°.
+    fs::write(at("initial.toml"), initial).unwrap();
+    let replay = |out: &'static str, more: &[&'static str]| {
+        let arguments = ["replay", "--imu", "imu.csv", "--initial", "initial.toml", "--out", out];
+        [&arguments[..], more].concat()
+    };
+    expect(folder.path(), &replay("nav.csv", &[]), 0, &[]);
+    let nav = fs::read_to_string(at("nav.csv")).unwrap();
+    assert_eq!(nav.lines().count(), 6001);
+    let last: Vec<f64> =
+        nav.lines().last().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    let altitude_m = last[3];
+    assert!((altitude_m - 3500.1).abs() < 1e-6, "{altitude_m}");
+
+    expect(folder.path(), &replay("imu.csv", &[]), 2, &["--out", "--imu"]);
+    expect(folder.path(), &replay("x.csv", &["--until", "-1"]), 2, &["--until"]);
+    expect(folder.path(), &replay("x.csv", &["--start", "3"]), 2, &["--start", "--align"]);
+
+    let imu = fs::read_to_string(at("imu.csv")).unwrap();
+    let gap = |line: usize| !(50..53).contains(&line);
+    let holed: Vec<_> =
+        imu.lines().enumerate().filter(|(line, _)| gap(*line)).map(|(_, text)| text).collect();
+    fs::write(at("imu.csv"), holed.join("\n")).unwrap();
+    expect(folder.path(), &replay("gap.csv", &[]), 1, &["imu.csv:51", "3 samples", "bridge"]);
+    assert!(!at("gap.csv").exists());
+    expect(folder.path(), &replay("gap.csv", &["--gap", "bridge"]), 0, &[]);
+    assert_eq!(fs::read_to_string(at("gap.csv")).unwrap().lines().count(), 6001);
+}

@@ -1,0 +1,187 @@
+//! The tables of the windows against the inverse of their matrix in rational numbers.
+
+use schuler::math::vector::Vector;
+use schuler::sample::Increment;
+use schuler::strapdown::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
+use schuler::strapdown::window::NAMED;
+use std::ops::{Mul, Sub};
+
+/// A ratio in lowest terms, over a positive denominator.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Ratio(i128, i128);
+
+impl Ratio {
+    fn new(n: i128, d: i128) -> Self {
+        let (mut a, mut b) = (n.unsigned_abs(), d.unsigned_abs());
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        let g = a.max(1) as i128 * d.signum();
+        Self(n / g, d / g)
+    }
+
+    fn float(self) -> f64 {
+        self.0 as f64 / self.1 as f64
+    }
+}
+
+impl Mul for Ratio {
+    type Output = Self;
+    fn mul(self, b: Self) -> Self {
+        let (one, other) = (Self::new(self.0, b.1), Self::new(b.0, self.1));
+        let product = |a: i128, b: i128| a.checked_mul(b).unwrap();
+        Self(product(one.0, other.0), product(one.1, other.1))
+    }
+}
+
+impl Sub for Ratio {
+    type Output = Self;
+    fn sub(self, b: Self) -> Self {
+        let common = Self::new(self.1, b.1);
+        let product = |a: i128, b: i128| a.checked_mul(b).unwrap();
+        let numerator = product(self.0, common.1) - product(b.0, common.0);
+        Self::new(numerator, product(self.1, common.1))
+    }
+}
+
+/// B_jk = (b_jᵏ⁺¹ − a_jᵏ⁺¹)/(k + 1), [a_j, b_j] = −1 + 2[j − H, j − H + 1]/B.
+fn matrix(history: usize, block: usize, samples: usize, coefficients: usize) -> Vec<Vec<Ratio>> {
+    let edge = |j: usize| 2 * (j as i128 - history as i128) - block as i128;
+    let entry = |j: usize, k: usize| {
+        let power = k as u32 + 1;
+        let difference = edge(j + 1).pow(power) - edge(j).pow(power);
+        Ratio::new(difference, i128::from(power) * (block as i128).pow(power))
+    };
+    (0..samples).map(|j| (0..coefficients).map(|k| entry(j, k)).collect()).collect()
+}
+
+/// Gauss and Jordan's elimination.
+fn inverse(mut m: Vec<Vec<Ratio>>) -> Vec<Vec<Ratio>> {
+    let n = m.len();
+    for (i, row) in m.iter_mut().enumerate() {
+        row.extend((0..n).map(|j| Ratio((i == j).into(), 1)));
+    }
+    for i in 0..n {
+        let pivot = (i..n).find(|&r| m[r][i].0 != 0).unwrap();
+        m.swap(i, pivot);
+        let head = m[i][i];
+        for x in &mut m[i] {
+            *x = *x * Ratio::new(head.1, head.0);
+        }
+        let pivot_row = m[i].clone();
+        for (r, row) in m.iter_mut().enumerate() {
+            let factor = row[i];
+            if r != i && factor.0 != 0 {
+                for (x, &p) in row.iter_mut().zip(&pivot_row) {
+                    *x = *x - factor * p;
+                }
+            }
+        }
+    }
+    m.into_iter().map(|row| row[n..].to_vec()).collect()
+}
+
+/// To the last bit: a quotient of integers above 2⁵³ may miss the nearest by one.
+fn assert_rounded(computed: f64, exact: Ratio, what: &str) {
+    let gap = (computed - exact.float()).abs();
+    assert!(gap <= f64::EPSILON * exact.float().abs(), "{what}: {computed} {exact:?}");
+}
+
+fn check<const P: usize, const K: usize>(history: usize, block: usize, exact: &[Vec<Ratio>]) {
+    let double = table_f64::<P, K>(history, block);
+    let single = table_f32::<P, K>(history, block);
+    for k in 0..K {
+        for j in 0..P {
+            let what = format!("H{history} B{block} P{P}, entry {k} {j}");
+            assert_rounded(double[k][j], exact[k][j], &what);
+            assert_eq!(single[k][j], double[k][j] as f32, "{what}");
+        }
+    }
+}
+
+#[test]
+fn interpolating_tables_are_inverses() {
+    for &(history, block, lookahead) in NAMED {
+        let samples = history + block + lookahead;
+        if samples == 20 {
+            continue;
+        }
+        let exact = inverse(matrix(history, block, samples, samples));
+        match samples {
+            2 => check::<2, 2>(history, block, &exact),
+            3 => check::<3, 3>(history, block, &exact),
+            4 => check::<4, 4>(history, block, &exact),
+            6 => check::<6, 6>(history, block, &exact),
+            8 => check::<8, 8>(history, block, &exact),
+            12 => check::<12, 12>(history, block, &exact),
+            _ => unreachable!("{samples}"),
+        }
+    }
+}
+
+#[test]
+fn four_samples_give_the_rate_at_their_middle() {
+    let [first, ..] = table_f64::<4, 4>(0, 4);
+    assert_eq!(first, [-1.0 / 6.0, 7.0 / 6.0, 7.0 / 6.0, -1.0 / 6.0]);
+}
+
+/// (BᵀB)⁻¹Bᵀ
+fn line(block: usize) -> Vec<Vec<Ratio>> {
+    let b = matrix(0, block, block, 2);
+    let zero = Ratio(0, 1);
+    let minus = |x: Ratio| zero - x;
+    let dot = |i: usize, j: usize| b.iter().fold(zero, |sum, row| sum - minus(row[i]) * row[j]);
+    let normal = vec![vec![dot(0, 0), dot(0, 1)], vec![dot(1, 0), dot(1, 1)]];
+    let m = inverse(normal);
+    let entry = |k: usize, row: &[Ratio]| m[k][0] * row[0] - minus(m[k][1]) * row[1];
+    (0..2).map(|k| b.iter().map(|row| entry(k, row)).collect()).collect()
+}
+
+#[test]
+fn straight_lines_are_least_squares() {
+    check::<8, 2>(0, 8, &line(8));
+    check::<20, 2>(0, 20, &line(20));
+}
+
+fn unit(count: usize, j: usize) -> Vec<Increment<f64>> {
+    let mut samples = vec![Increment::default(); count];
+    samples[j].angle_b = Vector::new(1.0, 2.0, 3.0);
+    samples[j].velocity_b = Vector::new(4.0, 5.0, 6.0);
+    samples
+}
+
+/// The windows at a stream's ends: every shape that can occur, worked out on the spot.
+#[test]
+fn windows_at_the_ends_of_a_stream_are_inverses_too() {
+    for (block, all) in (1..=6).flat_map(|b| (b..=MOST_SAMPLES).map(move |p| (b, p))) {
+        for history in 0..=all - block {
+            let exact = inverse(matrix(history, block, all, all));
+            for j in 0..all {
+                let fit = Fit::<f64, MOST_SAMPLES>::of_any(&unit(all, j), history, block);
+                for k in 0..MOST_SAMPLES {
+                    let a = exact.get(k).map_or(Ratio(0, 1), |row| row[j]);
+                    let what = format!("H{history} B{block} P{all}, entry {k} {j}");
+                    let entries =
+                        fit.rate[k].into_array().into_iter().chain(fit.force[k].into_array());
+                    for (n, x) in (1..).zip(entries) {
+                        assert_rounded(x, a * Ratio(n, 1), &what);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fit_takes_each_axis_for_itself() {
+    let double = table_f64::<6, 6>(2, 2);
+    for j in 0..6 {
+        let samples: [_; 6] = unit(6, j).try_into().unwrap();
+        let fit = Fit::of(&samples, &table_f32::<6, 6>(2, 2), &double);
+        for (k, row) in double.iter().enumerate() {
+            let a = row[j];
+            assert_eq!(fit.rate[k], Vector::new(a, a * 2.0, a * 3.0));
+            assert_eq!(fit.force[k], Vector::new(a * 4.0, a * 5.0, a * 6.0));
+        }
+    }
+}

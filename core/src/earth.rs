@@ -123,7 +123,7 @@ impl<R: Real> Geodetic<R> {
         )
     }
 
-    /// From an Earth-fixed position; anywhere but within 50 km of the Earth's centre.
+    /// From an Earth-fixed position; anywhere but within 300 km of the Earth's centre.
     pub fn from_earth_fixed(position_e: Vector<R>) -> Self {
         let Vector { x, y, z } = position_e;
         let e2 = R::of(ECCENTRICITY_SQUARED);

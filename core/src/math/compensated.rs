@@ -16,7 +16,7 @@ pub fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
     (s, (a - (s - z)) + (b - z))
 }
 
-/// a·b = p + e, exactly for an even split of the significand; else within an ulp of e.
+/// a·b = p + e, exactly for an even split of the significand; else, in double precision, to 2⁻¹⁰⁴ of p.
 #[inline(always)]
 pub fn two_product<R: Real>(a: R, b: R) -> (R, R) {
     let p = a * b;

@@ -71,7 +71,6 @@ fn residual_drift_of_windows() {
         assert_near(long, expected, what);
         // The window's own series ends earlier; that must not add to it.
         assert!(own <= 1.1 * expected, "{what}: {own:e} {expected:e}");
-        println!("{what} {own:e} {long:e} {expected:e}");
     }
 }
 

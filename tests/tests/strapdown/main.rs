@@ -20,4 +20,5 @@ mod fit;
 mod gravitation;
 mod record;
 mod rejects;
+mod starts;
 mod stream;

@@ -1,7 +1,7 @@
 //! Records of frames, and digests over them.
 
 use schuler::digest::Digest;
-use schuler::math::compensated::{Pair, Plain};
+use schuler::math::compensated::{Pair, Plain, TwoFloat};
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::strapdown::block_time::BlockTime;
@@ -10,10 +10,8 @@ use schuler::strapdown::frame::Frame;
 use schuler::strapdown::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::textbook::{
-    EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
-};
-use schuler::strapdown::window::{H0B4A0, H2B4A2, Window};
+use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
+use schuler::strapdown::window::{H0B4A0, H2B4A2, Line20, Window};
 use schuler_tests::{Course, bits};
 
 /// A state that carries the given words.
@@ -78,29 +76,40 @@ fn a_frame_goes_on_from_its_words_bit_for_bit() {
     goes_on::<EarthFixed<Pair<f64>>>();
     goes_on::<LocalLevel<Plain<f64>>>();
     goes_on::<EarthFixed<Plain<f64>>>();
+    goes_on::<LocalLevel<TwoFloat<f64>>>();
+}
+
+/// Wherever in a block the stream is interrupted: samples that wait are part of the state.
+fn state_goes_on<M: Mechanization<Real = f64, State: Record>>(mechanization: &M) {
+    let course = course();
+    let other = mechanization.start(&Course::new("hard", 1.0, 1.0).initial()).unwrap();
+    let mut state = mechanization.start(&course.initial()).unwrap();
+    for (n, &sample) in course.samples.iter().enumerate() {
+        if n < 30 || n % 17 == 0 {
+            let words = bits(&state);
+            let (mut copy, mut original) = (restored(other, &words), state);
+            assert_eq!(bits(&copy), words);
+            for &sample in &course.samples[n..] {
+                mechanization.push(&mut copy, sample).unwrap();
+                mechanization.push(&mut original, sample).unwrap();
+            }
+            mechanization.finish_rows(&mut copy, |_, _| ());
+            mechanization.finish_rows(&mut original, |_, _| ());
+            assert_eq!(M::integrated(&copy), course.samples.len() as u64);
+            assert_eq!(bits(&copy), bits(&original), "from {n}");
+        }
+        mechanization.push(&mut state, sample).unwrap();
+    }
 }
 
 #[test]
-fn a_textbook_frame_goes_on_too() {
-    fn check<F: TextbookFrame<Real = f64> + Record>() {
-        let course = course();
-        let textbook = Textbook::<F>::new(0.01).unwrap();
-        let mut state = textbook.start(&course.initial()).unwrap();
-        for &sample in &course.samples[..100] {
-            textbook.push(&mut state, sample).unwrap();
-        }
-        let mut frame = *Textbook::<F>::frame(&state);
-        let other = F::start(&Course::new("paper-perfect", 1.0, 1.0).initial());
-        let mut copy = restored(other, &bits(&frame));
-        for pair in course.samples[100..].windows(2) {
-            let body = schuler::strapdown::textbook::body::Compensated::of(&pair[1], &pair[0]);
-            frame.step(0.01, &body);
-            copy.step(0.01, &body);
-        }
-        assert_eq!(bits(&copy), bits(&frame));
-    }
-    check::<LocalLevelTextbook<f64>>();
-    check::<EarthFixedTextbook<f64>>();
+fn a_navigator_goes_on_from_its_words_bit_for_bit() {
+    let interval = course().interval_s;
+    state_goes_on(&Strapdown::<LocalLevel<Pair<f64>>, H2B4A2>::new(interval).unwrap());
+    state_goes_on(&Strapdown::<EarthFixed<Pair<f64>>, H0B4A0>::new(interval).unwrap());
+    state_goes_on(&Strapdown::<LocalLevel<TwoFloat<f64>>, Line20>::new(interval).unwrap());
+    state_goes_on(&Textbook::<LocalLevelTextbook<f64>>::new(0.01).unwrap());
+    state_goes_on(&Textbook::<EarthFixedTextbook<f64>>::new(0.01).unwrap());
 }
 
 #[test]

@@ -3,6 +3,8 @@
 //! The two are different types, since taking one for the other is the field's commonest and
 //! costliest mistake. A sample's time is the end of its interval.
 
+use crate::math::real::Real;
+use crate::math::twin::Twin as _;
 use crate::math::vector::Vector;
 
 /// Instantaneous rates of the body frame (forward, right, down).
@@ -23,4 +25,23 @@ pub struct Increment<R> {
     pub angle_b: Vector<R>,
     /// Δv = ∫fᵇ dt, m/s.
     pub velocity_b: Vector<R>,
+}
+
+impl<R: Real> Increment<R> {
+    /// No motion, no force.
+    pub const ZERO: Self = Self { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
+
+    /// The six numbers two by two: Δθ_x Δθ_y, Δθ_z Δv_x, Δv_y Δv_z.
+    #[inline(always)]
+    pub fn twins(&self) -> [R::Twin; 3] {
+        let Self { angle_b: a, velocity_b: v } = self;
+        [R::Twin::new(a.x, a.y), R::Twin::new(a.z, v.x), R::Twin::new(v.y, v.z)]
+    }
+
+    /// Back from [`Increment::twins`].
+    #[inline(always)]
+    pub fn from_twins([first, second, third]: [R::Twin; 3]) -> Self {
+        let ((ax, ay), (az, vx), (vy, vz)) = (first.parts(), second.parts(), third.parts());
+        Self { angle_b: Vector::new(ax, ay, az), velocity_b: Vector::new(vx, vy, vz) }
+    }
 }

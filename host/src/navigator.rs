@@ -206,7 +206,7 @@ where
 {
     with_window!(F, shape, order, interval_s, initial;
         H0B2A0, H0B3A0, H0B4A0, H0B6A0, H2B2A0, H2B2A2, H2B4A0, H4B4A0, H2B4A2, H4B4A4, Line8,
-        Line20)
+        Parabola12, Parabola20, Parabola40)
 }
 
 /// The local-level navigator in single precision with two-float products, whose windows are few.

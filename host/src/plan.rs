@@ -2,12 +2,12 @@
 
 use crate::flight::Skipped;
 use crate::navigator::{self, Navigate};
-use crate::scene::{Algorithm, Precision, Scene, WindowShape};
+use crate::scene::{Algorithm, Frame, Precision, Scene, WindowShape};
 use crate::source::Source;
 use crate::theory::Theory;
 use crate::timing;
 use schuler::math::compensated::Pair;
-use schuler::strapdown::plan::{self, Shape};
+use schuler::strapdown::plan::{self, Digits, Flight, Shape};
 use schuler::trajectory::Trajectory as _;
 
 /// Samples that what is skipped is measured over, at most.
@@ -39,8 +39,19 @@ impl Plan {
     /// Of a scene; `force_all` skips nothing.
     pub fn new(scene: &Scene, source: &Source, force_all: bool) -> Self {
         let bound = source.course.bound();
-        let single = scene.navigator.precision != Precision::F64;
-        let mut planned = plan::window(bound.bandwidth, 1.0 / scene.rate_hz, single).into();
+        let digits = match scene.navigator.precision {
+            Precision::F64 => Digits::Double,
+            Precision::F32 => Digits::Single,
+            Precision::F32x2 => Digits::TwoFloat,
+        };
+        let flight = Flight {
+            bandwidth: bound.bandwidth,
+            angular_rate: bound.angular_rate,
+            interval_s: 1.0 / scene.rate_hz,
+            digits,
+            earth_fixed: scene.navigator.frame == Frame::EarthFixed,
+        };
+        let mut planned = plan::window(&flight).into();
         if force_all && is_cheaper(planned, plan::UNKNOWN.into()) {
             planned = plan::UNKNOWN.into();
         }
@@ -48,7 +59,7 @@ impl Plan {
         let order = if force_all {
             plan::HIGHEST_ORDER
         } else {
-            plan::order(bound.angular_rate, window.block as f64 / scene.rate_hz)
+            plan::order(&flight, (window.history, window.block, window.lookahead))
         };
         Self { window, order, force_all }
     }

@@ -24,6 +24,15 @@ impl<T: Number> Quaternion<T> {
         Self { w: self.w, v: -self.v }
     }
 
+    /// (R − I)x for the rotation 1 + self: what the rotation adds to a vector.
+    #[inline(always)]
+    pub fn turn_less_one(self, x: Vector<T>) -> Vector<T> {
+        // t = 2 eᵥ × x,  (R − I)x = (1 + eₛ)t + eᵥ × t
+        let t = self.v.cross(x);
+        let t = t + t;
+        t + t * self.w + self.v.cross(t)
+    }
+
     /// The rotation matrix of a unit quaternion.
     #[inline(always)]
     pub fn matrix(self, one: T) -> Matrix<T> {
@@ -67,15 +76,6 @@ impl<R: Real> Quaternion<R> {
     pub const ZERO: Self = Self::new(R::ZERO, Vector::ZERO);
     /// No rotation.
     pub const IDENTITY: Self = Self::new(R::ONE, Vector::ZERO);
-
-    /// (R − I)x for the rotation 1 + self: what the rotation adds to a vector.
-    #[inline(always)]
-    pub fn turn_less_one(self, x: Vector<R>) -> Vector<R> {
-        // t = 2 eᵥ × x,  (R − I)x = (1 + eₛ)t + eᵥ × t
-        let t = self.v.cross(x);
-        let t = t + t;
-        t + t * self.w + self.v.cross(t)
-    }
 
     /// The rotation 1 + self brought back to unit length, still less one (one Newton step).
     #[inline(always)]

@@ -2,17 +2,18 @@
 //!
 //! Only the grouping differs from two scalars; every operation and its bits are the same.
 
-use super::real::Real;
-use core::ops::{Add, Mul, Sub};
+use super::real::{Number, Real};
+use core::ops::{Add, Mul, Neg, Sub};
 
 /// Two numbers side by side.
-pub trait Twin<R>:
-    Copy + core::fmt::Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
-{
+pub trait Twin<R>: Number + core::fmt::Debug {
     /// From the two.
     fn new(a: R, b: R) -> Self;
     /// The two.
     fn parts(self) -> (R, R);
+
+    /// Whether every number of three twins is finite and within ± its bound.
+    fn all_within(values: [Self; 3], bounds: [Self; 3]) -> bool;
 
     /// The same number twice.
     #[inline(always)]
@@ -47,6 +48,19 @@ impl<R: Real + core::fmt::Debug> Twin<R> for Both<R> {
     fn parts(self) -> (R, R) {
         (self.0, self.1)
     }
+    #[inline(always)]
+    fn all_within(values: [Self; 3], bounds: [Self; 3]) -> bool {
+        let [a, b, c] = values;
+        let [p, q, r] = bounds;
+        a.is_within(p) & b.is_within(q) & c.is_within(r)
+    }
+}
+
+impl<R: Real> Both<R> {
+    #[inline(always)]
+    fn is_within(self, bound: Self) -> bool {
+        self.0.is_within(bound.0) & self.1.is_within(bound.1)
+    }
 }
 
 macro_rules! by_parts {
@@ -62,6 +76,14 @@ macro_rules! by_parts {
 }
 
 by_parts!(Add add, Sub sub, Mul mul);
+
+impl<R: Real> Neg for Both<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
 
 /// Two doubles: one register where the standard library vouches for a host's vector unit.
 #[cfg(feature = "std")]
@@ -80,6 +102,12 @@ impl Twin<f64> for wide::f64x2 {
     fn parts(self) -> (f64, f64) {
         let [a, b] = self.to_array();
         (a, b)
+    }
+    #[inline(always)]
+    fn all_within(values: [Self; 3], bounds: [Self; 3]) -> bool {
+        let [a, b, c] = values;
+        let [p, q, r] = bounds;
+        (a.abs().simd_le(p) & b.abs().simd_le(q) & c.abs().simd_le(r)).all()
     }
 }
 
@@ -100,5 +128,11 @@ impl Twin<f32> for wide::f32x4 {
     fn parts(self) -> (f32, f32) {
         let [a, b, ..] = self.to_array();
         (a, b)
+    }
+    #[inline(always)]
+    fn all_within(values: [Self; 3], bounds: [Self; 3]) -> bool {
+        let [a, b, c] = values;
+        let [p, q, r] = bounds;
+        (a.abs().simd_le(p) & b.abs().simd_le(q) & c.abs().simd_le(r)).all()
     }
 }

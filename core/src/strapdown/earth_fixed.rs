@@ -6,10 +6,10 @@
 
 use super::block_time::{BlockTime, small_turn};
 use super::body::BodyMotion;
-use super::frame::Frame;
+use super::frame::{Beginning, Frame};
 use super::gravitation::Latitude;
 use crate::earth::ROTATION_RATE;
-use crate::math::compensated::{Accumulate, Pair};
+use crate::math::compensated::{Accumulate, Pair, two_product, two_sum};
 use crate::math::quaternion::{Matrix, Quaternion};
 use crate::math::real::Real;
 use crate::math::vector::Vector;
@@ -32,6 +32,8 @@ pub struct EarthFixed<S: Accumulate> {
     difference: Vector<S::Real>,
     /// ∇² = G₀ − 2G₋₁ + G₋₂.
     second_difference: Vector<S::Real>,
+    /// ∇³ = ∇² − ∇²₋₁, in the axes it was found in: so small that it need not turn.
+    third_difference: Vector<S::Real>,
     latitude: Latitude<S::Real>,
 }
 
@@ -86,26 +88,33 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
             gravitation,
             difference: Vector::ZERO,
             second_difference: Vector::ZERO,
+            third_difference: Vector::ZERO,
             latitude,
         }
     }
 
     #[inline(never)]
     fn seed(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) {
-        // G₋ₖ = G(r − kTv + ½(kT)²(C u/T + G₀)), k = 1, 2
+        self.difference = Vector::ZERO;
+        // G₋ₖ = G(r − kTv + ½(kT)²(a + G₀) − ⅙(kT)³(ȧ + ∇/T)), k = 1, 2, 3
         let matrix = self.attitude.value().matrix(R::ONE);
-        let mean_force = (matrix * body.velocity) * (R::ONE / time.time.hi);
-        let acceleration = mean_force + self.gravitation;
-        let back = |t: R| {
-            let position = self.position.value() - self.velocity.value() * t
-                + acceleration * (R::HALF * t * t);
-            let mut latitude = self.latitude;
-            latitude.gravitation(position)
-        };
-        let (g0, g1) = (self.gravitation, back(time.time.hi));
-        let g2 = back(R::TWO * time.time.hi);
-        self.difference = g0 - g1;
-        self.second_difference = (g0 - g1) - (g1 - g2);
+        let force = Beginning::of(matrix * body.velocity, matrix * body.position, time.time.hi);
+        let acceleration = force.value + self.gravitation;
+        for _ in 0..2 {
+            let jerk = force.rate + self.difference * (R::ONE / time.time.hi);
+            let back = |t: R| {
+                let position = self.position.value() - self.velocity.value() * t
+                    + (acceleration * R::HALF - jerk * (t * R::of(1.0 / 6.0))) * (t * t);
+                let mut latitude = self.latitude;
+                latitude.gravitation(position)
+            };
+            let (g0, g1) = (self.gravitation, back(time.time.hi));
+            let (g2, g3) = (back(R::TWO * time.time.hi), back(R::of(3.0) * time.time.hi));
+            let (nabla, before) = (g0 - g1, (g1 - g2) - (g2 - g3));
+            self.difference = nabla;
+            self.second_difference = nabla - (g1 - g2);
+            self.third_difference = self.second_difference - before;
+        }
         self.latitude.change = R::ZERO;
     }
 
@@ -116,18 +125,22 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let matrix = q.matrix(R::ONE);
         let v = self.velocity.value();
         let (g0, nabla, nabla2) = (self.gravitation, self.difference, self.second_difference);
-        // Δr = vT + C s + T²(½G₀ + ⅙∇ + ⅛∇²)
-        let fall = g0 * R::HALF + nabla * R::of(1.0 / 6.0) + nabla2 * R::of(0.125);
+        // Δr = vT + C s + T²(½G₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³)
+        let fall = g0 * R::HALF
+            + nabla * R::of(1.0 / 6.0)
+            + (nabla2 * R::of(0.125) + self.third_difference * R::of(19.0 / 180.0));
         let moved =
             v * t + (matrix * body.position + fall * time.square + self.moved_low(time, R::ONE));
         let position = self.position.value() + moved;
-        // G₁ = G(r + Δr), δ = G₁ − G₀, δ² = δ − ∇, δ³ = δ² − ∇²
+        // G₁ = G(r + Δr), δ = G₁ − G₀, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³
         let g1 = self.latitude.gravitation(position);
         let delta = g1 - g0;
         let delta2 = delta - nabla;
         let delta3 = delta2 - nabla2;
-        // Δv = C u + T(G₁ − ½δ − δ²/12 − δ³/24)
-        let mean = g1 - delta * R::HALF - delta2 * R::of(1.0 / 12.0) - delta3 * R::of(1.0 / 24.0);
+        let delta4 = delta3 - self.third_difference;
+        // Δv = C u + T(G₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴)
+        let small = delta3 * R::of(1.0 / 24.0) + delta4 * R::of(19.0 / 720.0);
+        let mean = g1 - delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
         let gained = matrix * body.velocity + mean * t;
 
         // All turn with the Earth, Rz(−ωT), in the same increments.
@@ -137,6 +150,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         self.gravitation = g1 + turn(g1);
         self.difference = delta + turn(delta);
         self.second_difference = delta2 + turn(delta2);
+        self.third_difference = delta3;
         // q ← q_z(−ωT) ⊗ q ⊗ q_bb
         let turned = q * body.rotation;
         let back = turn_back(time.half_turn_sine, time.half_turn_cosine_less_one);
@@ -161,25 +175,21 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
             (g0 * R::HALF + b * (tau * R::of(1.0 / 6.0)) + c * (tau2 * R::of(1.0 / 12.0))) * tau2;
         let moved = v0 * (tau * t)
             + (step.matrix * body.position + fall * time.square + self.moved_low(time, tau));
-        let mut position = self.position;
-        position.accumulate(moved);
         // v = v₀ + C u + T(τG₀ + τ²b/2 + τ³c/3)
-        let gained = g0 * tau + b * (tau2 * R::HALF) + c * (tau2 * tau * R::of(1.0 / 3.0));
-        let mut velocity = self.velocity;
-        velocity.accumulate(step.matrix * body.velocity + gained * t);
+        let fall = g0 * tau + b * (tau2 * R::HALF) + c * (tau2 * tau * R::of(1.0 / 3.0));
+        let gained = step.matrix * body.velocity + fall * t;
         // then Rz(−ωτT)
-        let turn = time.turn.hi * tau;
-        let (sine, cosine_less_one) = small_turn(turn);
-        let dr = turn_less_one(position.value(), sine, cosine_less_one);
-        position.accumulate(dr);
-        let dv = turn_less_one(velocity.value(), sine, cosine_less_one);
-        velocity.accumulate(dv);
-        let mut attitude = self.attitude;
-        attitude.accumulate(self.attitude.value() * body.rotation);
-        let (half_sine, half_cosine_less_one) = small_turn(turn * R::HALF);
-        let back = turn_back(half_sine, half_cosine_less_one);
-        let dq = back * attitude.value();
-        attitude.accumulate(dq);
+        let angle = time.turn.hi * tau;
+        let (sine, cosine_less_one) = small_turn(angle);
+        let turn = |x: Vector<R>| turn_less_one(x, sine, cosine_less_one);
+        let (mut position, mut velocity, mut attitude) =
+            (self.position, self.velocity, self.attitude);
+        position.accumulate(moved + turn(position.value() + moved));
+        velocity.accumulate(gained + turn(v0 + gained));
+        let q = attitude.value();
+        let turned = q * body.rotation;
+        let (half_sine, half_cosine_less_one) = small_turn(angle * R::HALF);
+        attitude.accumulate(turned + turn_back(half_sine, half_cosine_less_one) * (q + turned));
         solution(position, velocity, attitude)
     }
 
@@ -211,9 +221,15 @@ fn solution<R: Real, S: Accumulate<Real = R>>(
     attitude: Quaternion<S>,
 ) -> EarthFixedSolution<R> {
     let position_e = position.map(S::pair);
-    let omega: Pair<R> = Pair::of(ROTATION_RATE);
     let v = velocity.map(S::pair);
-    let velocity_e = Vector::new(v.x + omega * position_e.y, v.y - omega * position_e.x, v.z);
+    let plus_turning = |v: Pair<R>, r: Pair<R>| {
+        let omega: Pair<R> = Pair::of(ROTATION_RATE);
+        let (p, low) = two_product(omega.hi, r.hi);
+        let (hi, rest) = two_sum(v.hi, p);
+        Pair { hi, lo: rest + (low + (omega.lo * r.hi + omega.hi * r.lo) + v.lo) }
+    };
+    let velocity_e =
+        Vector::new(plus_turning(v.x, position_e.y), plus_turning(v.y, -position_e.x), v.z);
     EarthFixedSolution { position_e, velocity_e, attitude: attitude.map(S::pair) }
 }
 
@@ -221,5 +237,14 @@ impl<S: Accumulate + Record> Record for EarthFixed<S>
 where
     S::Real: Record,
 {
-    record!(position, velocity, attitude, gravitation, difference, second_difference, latitude);
+    record!(
+        position,
+        velocity,
+        attitude,
+        gravitation,
+        difference,
+        second_difference,
+        third_difference,
+        latitude
+    );
 }

@@ -4,7 +4,7 @@
 //! w(σ) = Σ w_k σᵏ is the angular rate per unit of σ whose integral over every sample is that sample's
 //! increment: w_k = Σⱼ A_kj Δθⱼ, A the inverse of B_jk = (bⱼᵏ⁺¹ − aⱼᵏ⁺¹)/(k + 1); likewise f_k from Δvⱼ.
 //! A is exact: integers from Lagrange's basis over the sample edges, and one division per entry.
-//! For slow motion a straight line by least squares does for a long block: A = (BᵀB)⁻¹Bᵀ.
+//! For slow motion a line or a parabola does for a long block: see `least_squares`.
 
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
@@ -12,9 +12,7 @@ use crate::math::vector::Vector;
 use crate::sample::Increment;
 
 /// Most samples that a window may interpolate.
-pub const MOST_SAMPLES: usize = 12;
-/// Most samples that a straight line is fitted to.
-const LONGEST_BLOCK: usize = 20;
+pub const MOST_SAMPLES: usize = 14;
 
 /// Coefficients of angular rate and specific force over a block, per unit of σ.
 #[derive(Clone, Copy, Debug)]
@@ -25,36 +23,62 @@ pub struct Fit<R, const K: usize> {
     pub force: [Vector<R>; K],
 }
 
+/// The same function of each pair of three twins.
+#[inline(always)]
+pub(super) fn each<T: Copy>(a: [T; 3], b: [T; 3], f: impl Fn(T, T) -> T) -> [T; 3] {
+    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
+}
+
 impl<R: Real, const K: usize> Fit<R, K> {
-    /// Of `P` samples, by a table in either precision.
+    /// Of `P` samples, by a table in either precision, with the sum of the block that follows `history`
+    /// samples; a window is `symmetric` if as many follow the block.
     #[inline(always)]
     pub fn of<const P: usize>(
         samples: &[Increment<R>; P],
+        history: usize,
+        block: usize,
         single: &[[f32; P]; K],
         double: &[[f64; P]; K],
-    ) -> Self {
-        // Angle and velocity of a sample make three twins.
-        let samples = samples.map(|Increment { angle_b: a, velocity_b: v }| {
-            [R::Twin::new(a.x, a.y), R::Twin::new(a.z, v.x), R::Twin::new(v.y, v.z)]
-        });
+    ) -> (Self, Increment<R>) {
+        let none = [R::Twin::both(R::ZERO); 3];
         let mut fit = Self { rate: [Vector::ZERO; K], force: [Vector::ZERO; K] };
-        for k in 0..K {
-            let mut sum = [R::Twin::both(R::ZERO); 3];
-            for j in 0..P {
-                let a = R::Twin::both(R::entry(single[k][j], double[k][j]));
-                for (sum, sample) in sum.iter_mut().zip(samples[j]) {
-                    *sum = *sum + sample * a;
-                }
-            }
-            let [(wx, wy), (wz, fx), (fy, fz)] = sum.map(R::Twin::parts);
-            fit.rate[k] = Vector::new(wx, wy, wz);
-            fit.force[k] = Vector::new(fx, fy, fz);
+        // A_k,P−1−j = (−1)ᵏ A_kj in a symmetric window: even coefficients see the sums of opposite
+        // samples, odd ones their differences.
+        let mut sums = [none; MOST_SAMPLES / 2];
+        let mut differences = sums;
+        let half = if 2 * history + block == P { P / 2 } else { 0 };
+        for j in 0..half {
+            let (a, b) = (samples[j].twins(), samples[P - 1 - j].twins());
+            sums[j] = each(a, b, |a, b| a + b);
+            differences[j] = each(a, b, |a, b| a - b);
         }
-        fit
+        for k in 0..K {
+            let folded = if k % 2 == 0 { &sums } else { &differences };
+            let mut sum = none;
+            for j in 0..half {
+                let a = R::Twin::both(R::entry(single[k][j], double[k][j]));
+                sum = each(sum, folded[j], |sum, x| sum + x * a);
+            }
+            for j in half..P - half {
+                let a = R::Twin::both(R::entry(single[k][j], double[k][j]));
+                sum = each(sum, samples[j].twins(), |sum, x| sum + x * a);
+            }
+            let Increment { angle_b, velocity_b } = Increment::from_twins(sum);
+            fit.rate[k] = angle_b;
+            fit.force[k] = velocity_b;
+        }
+        let mut sum = none;
+        for pair in &sums[history.min(half)..half] {
+            sum = each(sum, *pair, |sum, x| sum + x);
+        }
+        for sample in &samples[half.max(history)..(history + block).min(P - half)] {
+            sum = each(sum, sample.twins(), |sum, x| sum + x);
+        }
+        (fit, Increment::from_twins(sum))
     }
 
-    /// Of any number of samples up to `K`, with the table worked out on the spot.
-    pub fn of_any(samples: &[Increment<R>], history: usize, block: usize) -> Self {
+    /// Of any number of samples up to `K`, with the table worked out on the spot, and the block's sum.
+    pub fn of_any(samples: &[Increment<R>], history: usize, block: usize) -> (Self, Increment<R>) {
         let mut fit = Self { rate: [Vector::ZERO; K], force: [Vector::ZERO; K] };
         let count = samples.len().min(MOST_SAMPLES);
         let table = Table::interpolating(history, block, count);
@@ -66,21 +90,21 @@ impl<R: Real, const K: usize> Fit<R, K> {
                 *force = *force + sample.velocity_b * a;
             }
         }
-        fit
+        let mut sum = Increment::ZERO;
+        for sample in samples.iter().skip(history).take(block) {
+            sum.angle_b = sum.angle_b + sample.angle_b;
+            sum.velocity_b = sum.velocity_b + sample.velocity_b;
+        }
+        (fit, sum)
     }
 }
 
-/// The table of a window in double precision: interpolating, or a straight line where K = 2 < P.
-pub const fn table_f64<const P: usize, const K: usize>(h: usize, b: usize) -> [[f64; P]; K] {
-    let exact = if K == P {
-        Table::interpolating(h, b, P)
-    } else {
-        assert!(K == 2 && h == 0 && b == P, "a line is fitted over the block alone");
-        Table::straight(b)
-    };
-    let mut table = [[0.0; P]; K];
+/// The table of a window in double precision.
+pub const fn table_f64<const P: usize>(h: usize, b: usize) -> [[f64; P]; P] {
+    let exact = Table::interpolating(h, b, P);
+    let mut table = [[0.0; P]; P];
     let mut k = 0;
-    while k < K {
+    while k < P {
         let mut j = 0;
         while j < P {
             table[k][j] = rounded(exact.numerators[k][j], exact.denominator);
@@ -92,11 +116,11 @@ pub const fn table_f64<const P: usize, const K: usize>(h: usize, b: usize) -> [[
 }
 
 /// The same in single precision.
-pub const fn table_f32<const P: usize, const K: usize>(h: usize, b: usize) -> [[f32; P]; K] {
-    let double = table_f64::<P, K>(h, b);
-    let mut table = [[0.0; P]; K];
+pub const fn table_f32<const P: usize>(h: usize, b: usize) -> [[f32; P]; P] {
+    let double = table_f64::<P>(h, b);
+    let mut table = [[0.0; P]; P];
     let mut k = 0;
-    while k < K {
+    while k < P {
         let mut j = 0;
         while j < P {
             table[k][j] = double[k][j] as f32;
@@ -109,7 +133,7 @@ pub const fn table_f32<const P: usize, const K: usize>(h: usize, b: usize) -> [[
 
 /// A_kj as integers over one denominator.
 struct Table {
-    numerators: [[i128; LONGEST_BLOCK]; MOST_SAMPLES],
+    numerators: [[i128; MOST_SAMPLES]; MOST_SAMPLES],
     denominator: i128,
 }
 
@@ -119,7 +143,7 @@ impl Table {
         // Edges at sᵢ = 2i − (2H + B), σ = s/B. The integral F(s) has F(s_m) = Σ_{j<m} Δθⱼ, so Δθⱼ's share
         // is Σ_{m>j} ℓ_m(s), ℓ_m = Π_{i≠m}(s − sᵢ)/(s_m − sᵢ), Π_{i≠m}(s_m − sᵢ) = 2ᴾ(−1)ᴾ⁻ᵐ m!(P − m)!.
         // A_kj = (k + 1) Bᵏ⁺¹ [sᵏ⁺¹] Σ_{m>j} (−1)ᴾ⁻ᵐ C(P, m) Π_{i≠m}(s − sᵢ) / (2ᴾ P!)
-        let mut numerators = [[0; LONGEST_BLOCK]; MOST_SAMPLES];
+        let mut numerators = [[0; MOST_SAMPLES]; MOST_SAMPLES];
         let mut denominator = 1;
         let mut binomial = 1;
         let mut m = 1;
@@ -143,20 +167,6 @@ impl Table {
             m += 1;
         }
         Self { numerators, denominator }
-    }
-
-    /// A straight line by least squares over a block.
-    const fn straight(b: usize) -> Self {
-        // The columns of B are orthogonal: A₀ⱼ = ½, A₁ⱼ = cⱼ B/(2Σc²), cⱼ = (2j + 1 − B)/B the middle of
-        // sample j, Σc² = (B² − 1)/(3B)
-        let mut numerators = [[0; LONGEST_BLOCK]; MOST_SAMPLES];
-        let mut j = 0;
-        while j < b {
-            numerators[0][j] = (b * b - 1) as i128;
-            numerators[1][j] = 3 * b as i128 * (2 * j as i128 + 1 - b as i128);
-            j += 1;
-        }
-        Self { numerators, denominator: 2 * (b * b - 1) as i128 }
     }
 }
 

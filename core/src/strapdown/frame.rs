@@ -3,6 +3,7 @@
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use crate::math::real::{Real, Scalar};
+use crate::math::vector::Vector;
 use crate::solution::{EarthFixedSolution, Solution};
 
 /// A navigation frame's state, with the step that carries it over a block.
@@ -39,6 +40,26 @@ pub trait Frame: Copy {
     }
     /// The state as it stands.
     fn output(&self) -> Self::Output;
+}
+
+/// The specific force that a block begins with, in the axes at its start.
+pub(super) struct Beginning<R> {
+    /// a, m/s².
+    pub value: Vector<R>,
+    /// ȧ, m/s³.
+    pub rate: Vector<R>,
+}
+
+impl<R: Real> Beginning<R> {
+    /// The straight line whose first and second integrals over T are u and s.
+    pub fn of(velocity: Vector<R>, position: Vector<R>, time: R) -> Self {
+        // a = 6s/T² − 2u/T,  ȧ = 2(u/T − a)/T
+        let inverse = R::ONE / time;
+        let mean = velocity * inverse;
+        let value = position * (R::of(6.0) * inverse * inverse) - mean - mean;
+        let rise = (mean - value) * inverse;
+        Self { value, rate: rise + rise }
+    }
 }
 
 /// cosφ below which north and east are not told apart any more: 640 m from a pole.

@@ -24,6 +24,9 @@ pub struct Latitude<R> {
     pub change: R,
 }
 
+/// A correction of the predicted latitude, rad, beyond which the position has leapt.
+const LEAP: f64 = 1e-3;
+
 /// What one Newton step finds.
 struct Newton<R> {
     error: R,
@@ -42,14 +45,20 @@ impl<R: Real> Latitude<R> {
         // The rest of one step is the square of its correction: below this it is rounding.
         let bound = R::entry(1e-5, 1e-7);
         let mut cold = bound.less(newton.error.abs());
+        // After a leap the change foretells nothing.
+        let leap = R::of(LEAP).less(newton.error.abs());
+        self.change = R::select(leap, R::ZERO, self.change);
         let mut tries = 0;
         while R::any(cold) && tries < 8 {
             let mut again = *self;
-            again.change = R::ZERO;
+            let length = (again.sine * again.sine + again.cosine * again.cosine).sqrt();
+            again.sine = again.sine / length;
+            again.cosine = again.cosine / length;
             let second = again.correct(axis_distance, z);
+            again.change = R::select(leap, R::ZERO, again.change);
             self.sine = R::select(cold, again.sine, self.sine);
             self.cosine = R::select(cold, again.cosine, self.cosine);
-            self.change = R::select(cold, R::ZERO, self.change);
+            self.change = R::select(cold, again.change, self.change);
             newton.inverse_w = R::select(cold, second.inverse_w, newton.inverse_w);
             newton.altitude = R::select(cold, second.altitude, newton.altitude);
             newton.error = R::select(cold, second.error, R::ZERO);
@@ -106,7 +115,10 @@ impl<R: Real> Latitude<R> {
         // h = pc + zs − aW, stationary in the latitude;  1/(R_M + h) = μ(1 − x + x²), x = μh
         let altitude = p * c + z * s - R::of(A) * w;
         let x = mu * altitude;
-        let error = (c * z - s * p + R::of(E2 * A) * inverse_w * s * c) * mu * (R::ONE - x + x * x);
+        // e = g/(R_M + h), g = cz − sp + e²N sc the way along the meridian;  h ← h + ½ge
+        let along = c * z - s * p + R::of(E2 * A) * inverse_w * s * c;
+        let error = along * mu * (R::ONE - x + x * x);
+        let altitude = altitude + along * error * R::HALF;
         self.change = self.change + error;
         // s ← s + ec, c ← c − es, both times 1.5 − ½(s² + c²)
         let (s1, c1) = (s + error * c, c - error * s);

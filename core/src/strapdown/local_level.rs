@@ -7,9 +7,9 @@
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::displacement::displacement;
-use super::frame::{Frame, POLAR_COSINE};
+use super::frame::{Beginning, Frame, POLAR_COSINE};
 use super::meridian::{Meridian, PlaceChange, curvature};
-use super::two_float::{self, Place};
+use super::two_float::{self, Attitude, Place};
 use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic, ROTATION_RATE, SOMIGLIANA, height_factor};
 use crate::math::compensated::{Accumulate, Pair, two_sum};
 use crate::math::quaternion::{Matrix, Quaternion};
@@ -39,6 +39,8 @@ pub struct LocalLevel<S: Accumulate> {
     /// ∇ and ∇² of plumb gravity, in the present axes.
     difference: Vector<S::Real>,
     second_difference: Vector<S::Real>,
+    /// ∇³, in the axes it was found in: so small that it need not turn.
+    third_difference: Vector<S::Real>,
 }
 
 /// What rows inside a block need.
@@ -118,33 +120,42 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             longitude_rest: R::ZERO,
             difference: Vector::ZERO,
             second_difference: Vector::ZERO,
+            third_difference: Vector::ZERO,
         }
     }
 
     #[inline(never)]
     fn seed(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) {
-        // For k = 1, 2: t = −kT, net = ½t²(C u/T + G̃₀), then place and frame at t.
+        // For k = 1, 2, 3: t = −kT, net = ½t²(a + G̃₀) + ⅙t³(ȧ + ∇/T), then place and frame at t.
         let matrix = self.attitude.value().matrix(R::ONE);
-        let mut acceleration = (matrix * body.velocity) * (R::ONE / time.time.hi);
+        let force = Beginning::of(matrix * body.velocity, matrix * body.position, time.time.hi);
+        let mut acceleration = force.value;
         acceleration.z = acceleration.z + (R::of(EQUATORIAL_GRAVITY) + self.gravity_excess);
         let meridian = self.meridian();
         let omega = earth::rotation_ned(meridian.sine, meridian.cosine);
-        let back = |t: R| {
-            let net = acceleration * (R::HALF * t * t);
-            let v = self.velocity.value();
-            let moved = displacement(v, net, omega, t, Vector::ZERO);
-            let change = meridian.moved(moved.relative);
-            let turn = meridian.frame_turn(&change, change.longitude + R::of(ROTATION_RATE) * t);
-            let sine = meridian.sine
-                + (meridian.sine * change.cosine_less_one + meridian.cosine * change.sine);
-            let altitude = self.position.altitude.value() + change.altitude;
-            self.plumb_change(gravity_excess(sine, altitude, curvature(sine)), turn)
-        };
-        let before = back(-time.time.hi);
-        let before_that = back(-(R::TWO * time.time.hi));
-        // ∇ = G̃₀ − G̃₋₁,  ∇² = G̃₀ − 2G̃₋₁ + G̃₋₂
-        self.difference = -before;
-        self.second_difference = before_that - before - before;
+        self.difference = Vector::ZERO;
+        for _ in 0..2 {
+            let jerk = force.rate + self.difference * (R::ONE / time.time.hi);
+            let back = |t: R| {
+                let net = (acceleration * R::HALF + jerk * (t * R::of(1.0 / 6.0))) * (t * t);
+                let v = self.velocity.value();
+                let moved = displacement(v, net, omega, t, Vector::ZERO, false);
+                let change = meridian.moved(moved.relative);
+                let turn =
+                    meridian.frame_turn(&change, change.longitude + R::of(ROTATION_RATE) * t);
+                let sine = meridian.sine
+                    + (meridian.sine * change.cosine_less_one + meridian.cosine * change.sine);
+                let altitude = self.position.altitude.value() + change.altitude;
+                self.plumb_change(gravity_excess(sine, altitude, curvature(sine)), turn)
+            };
+            // From G̃₀, which is the zero here.
+            let (g1, g2) = (back(-time.time.hi), back(-(R::TWO * time.time.hi)));
+            let g3 = back(-(R::of(3.0) * time.time.hi));
+            let (nabla, before) = (-g1, (g1 - g2) - (g2 - g3));
+            self.difference = nabla;
+            self.second_difference = nabla - (g1 - g2);
+            self.third_difference = self.second_difference - before;
+        }
     }
 
     #[inline(always)]
@@ -157,13 +168,14 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let meridian = self.meridian();
         let omega = earth::rotation_ned(meridian.sine, meridian.cosine);
 
-        // net = C s + T²(½G̃₀ + ⅙∇ + ⅛∇²)
-        let mut fall = nabla * R::of(1.0 / 6.0) + nabla2 * R::of(0.125);
+        // net = C s + T²(½G̃₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³)
+        let mut fall = nabla * R::of(1.0 / 6.0)
+            + (nabla2 * R::of(0.125) + self.third_difference * R::of(19.0 / 180.0));
         fall.z = fall.z + self.gravity_excess * R::HALF;
         let mut net = matrix * body.position + fall * time.square;
         net.z = net.z + time.half_gravity_square.hi + time.half_gravity_square.lo;
         let low = self.moved_low(time, R::ONE);
-        let moved = displacement(velocity, net, omega, t, low);
+        let moved = displacement(velocity, net, omega, t, low, S::TWO_FLOAT);
         let change = meridian.moved(moved.relative);
         let start = Place {
             sine: self.sine.pair(),
@@ -171,7 +183,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             altitude: self.position.altitude.pair(),
         };
         let (moved_to, inertial_longitude) = if S::TWO_FLOAT {
-            let precise = start.change(&change, moved.relative);
+            let precise = start.change(&change, moved.relative, moved.relative_low);
             let (sum, rest) =
                 two_float::inertial_longitude(precise.longitude, time.turn, self.longitude_rest);
             self.longitude_rest = rest;
@@ -190,17 +202,20 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         self.curvature = curvature(self.sine.value());
         let excess =
             gravity_excess(self.sine.value(), self.position.altitude.value(), self.curvature);
-        // δ, δ² = δ − ∇, δ³ = δ² − ∇²
+        // δ, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³
         let delta = self.plumb_change(excess, turn);
         let delta2 = delta - nabla;
         let delta3 = delta2 - nabla2;
-        // Δw = C u + T(G̃₁ − ½δ − δ²/12 − δ³/24) − Ω×d,  G̃₁ = G̃₀ + δ
-        let mut mean = delta * R::HALF - delta2 * R::of(1.0 / 12.0) - delta3 * R::of(1.0 / 24.0);
+        let delta4 = delta3 - self.third_difference;
+        // Δw = C u + T(G̃₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴) − Ω×d,  G̃₁ = G̃₀ + δ
+        let small = delta3 * R::of(1.0 / 24.0) + delta4 * R::of(19.0 / 720.0);
+        let mut mean = delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
         mean.z = mean.z + self.gravity_excess;
         let drag = omega.cross(moved.inertial);
         let rest = mean * t - drag;
+        let attitude = Attitude::of(self.attitude.pair());
         if S::TWO_FLOAT {
-            let mut gained = two_float::rotated(self.attitude.pair(), body);
+            let mut gained = attitude.rotated(body);
             gained.z = gained.z + time.gravity;
             self.velocity.accumulate_pair(gained);
             // Ω was rounded with ω_ie.
@@ -220,18 +235,22 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let back = turn.conjugate();
         let dv = back.turn_less_one(self.velocity.value());
         self.velocity.accumulate(dv);
-        self.difference = delta + back.turn_less_one(delta);
-        self.second_difference = delta2 + back.turn_less_one(delta2);
         if S::TWO_FLOAT {
-            let turned = self.attitude.pair() * two_float::rotation(body);
-            self.attitude.accumulate_pair(turned);
             let turn = start.frame_turn(turn, moved_to.latitude, inertial_longitude);
-            let turned = turn.conjugate() * self.attitude.pair();
-            self.attitude.accumulate_pair(turned);
+            // What the rounding of the frame's turn takes from its product with the velocity: 2 v × m.
+            let low = turn.v.zip(back.v, |exact, back| (exact.hi + back) + exact.lo);
+            let drift = self.velocity.value().cross(low);
+            self.velocity.accumulate(drift + drift);
+            let (body_turn, frame_turn) = attitude.turned(body, turn);
+            self.attitude.accumulate_pair(body_turn);
+            self.attitude.accumulate_pair(frame_turn);
         } else {
             let turned = q * body.rotation;
             self.attitude.accumulate(turned + back * (q + turned));
         }
+        self.difference = delta + back.turn_less_one(delta);
+        self.second_difference = delta2 + back.turn_less_one(delta2);
+        self.third_difference = delta3;
         LocalLevelStep {
             matrix,
             meridian,
@@ -259,7 +278,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let net = step.matrix * body.position + fall * (time.square * tau2);
         let velocity = self.velocity.value();
         let t = time.time.hi * tau;
-        let moved = displacement(velocity, net, omega, t, self.moved_low(time, tau));
+        let moved = displacement(velocity, net, omega, t, self.moved_low(time, tau), false);
         let change = meridian.moved(moved.relative);
         let turn = meridian.frame_turn(&change, change.longitude + time.turn.hi * tau);
         let mut position = self.position;
@@ -268,16 +287,14 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         // v = v₀ + C u + T(τG̃₀ + τ²b/2 + τ³c/3) − Ω×d(τ), turned by q*
         let mut gained = b * (tau2 * R::HALF) + c * (tau2 * tau * R::of(1.0 / 3.0));
         gained.z = gained.z + g0 * tau;
-        let mut v = self.velocity;
         let rest = gained * time.time.hi - omega.cross(moved.inertial);
-        v.accumulate(step.matrix * body.velocity + rest);
+        let gained = step.matrix * body.velocity + rest;
         let back = turn.conjugate();
-        let dv = back.turn_less_one(v.value());
-        v.accumulate(dv);
-        let mut attitude = self.attitude;
-        attitude.accumulate(self.attitude.value() * body.rotation);
-        let dq = back * attitude.value();
-        attitude.accumulate(dq);
+        let (mut v, mut attitude) = (self.velocity, self.attitude);
+        v.accumulate(gained + back.turn_less_one(v.value() + gained));
+        let q = attitude.value();
+        let turned = q * body.rotation;
+        attitude.accumulate(turned + back * (q + turned));
         solution(position, v, attitude)
     }
 
@@ -325,6 +342,7 @@ where
         gravity_excess,
         longitude_rest,
         difference,
-        second_difference
+        second_difference,
+        third_difference
     );
 }

@@ -3,6 +3,8 @@
 use super::frame::Output;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
+use crate::math::twin::Twin as _;
+use crate::math::vector::Vector;
 use crate::sample::Increment;
 use crate::solution::Solution;
 
@@ -152,13 +154,18 @@ impl<R: Real> Gate<R> {
     /// Whether a sample can be right.
     #[inline(always)]
     pub fn admit(&self, sample: &Increment<R>) -> Result<(), Rejected> {
-        if !sample.angle_b.is_within(self.most_angle) {
-            return Err(Rejected::Angle);
+        let (angle, velocity) = (self.most_angle, self.most_velocity);
+        let bounds = Increment {
+            angle_b: Vector::new(angle, angle, angle),
+            velocity_b: Vector::new(velocity, velocity, velocity),
+        };
+        if R::Twin::all_within(sample.twins(), bounds.twins()) {
+            Ok(())
+        } else if sample.angle_b.is_within(angle) {
+            Err(Rejected::Velocity)
+        } else {
+            Err(Rejected::Angle)
         }
-        if !sample.velocity_b.is_within(self.most_velocity) {
-            return Err(Rejected::Velocity);
-        }
-        Ok(())
     }
 }
 

@@ -42,8 +42,8 @@ pub struct PlaceChange<R> {
     pub sine: R,
     /// cos Δφ − 1.
     pub cosine_less_one: R,
-    /// N′, m: RΔφ = N′ − bend.
-    pub(super) arc: R,
+    /// What the way east takes from N to leave N′, m: RΔφ = N′ − bend.
+    pub(super) inward: R,
     /// Δh sinΔφ + R_M′Δφ²/2 + (R_M″ − R)Δφ³/6, m.
     pub(super) bend: R,
 }
@@ -107,7 +107,8 @@ impl<R: Real> Meridian<R> {
         let longitude = y - y * y2 * (R::of(1.0 / 3.0) - y2 * R::of(0.2));
         // Going east leads outward of the meridian plane by δ = √(x² + D_E²) − x = ½D_E y(1 − y²/4)
         let outward = east * y * R::HALF * (R::ONE - y2 * R::of(0.25));
-        let north = north - s * outward;
+        let inward = s * outward;
+        let north = north - inward;
         let up = c * outward - down;
         // Δh = U′ + RΔ²/2 + R_M′Δ³/3 + (R_M″/8 − R/24)Δ⁴ + Δh(1 − cosΔ)
         // Δ = (N′ − Δh sinΔ − R_M′Δ²/2 − (R_M″ − R)Δ³/6)/R
@@ -134,7 +135,7 @@ impl<R: Real> Meridian<R> {
             altitude,
             sine: latitude - latitude * d2 * (R::of(1.0 / 6.0) - d2 * R::of(1.0 / 120.0)),
             cosine_less_one: -(d2 * (R::HALF - d2 * R::of(1.0 / 24.0))),
-            arc: north,
+            inward,
             bend,
         }
     }

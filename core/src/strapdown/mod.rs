@@ -7,6 +7,8 @@ pub mod earth_fixed;
 pub mod fit;
 pub mod frame;
 pub mod gravitation;
+pub mod inside;
+pub mod least_squares;
 pub mod local_level;
 pub mod mechanization;
 pub mod meridian;

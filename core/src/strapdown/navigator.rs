@@ -7,9 +7,10 @@ use super::block_time::BlockTime;
 use super::body::{self, BodyMotion, Sum};
 use super::fit::{Fit, MOST_SAMPLES};
 use super::frame::Frame;
+use super::inside::{BlockSeries, Mirror};
 use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, admit_start};
 use super::rows::{Every, Read, Unread};
-use super::window::{BlockSeries, LINE_LAST_SAMPLES, Window};
+use super::window::{LINE_LAST_SAMPLES, Window};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
@@ -17,7 +18,7 @@ use crate::solution::Solution;
 use core::marker::PhantomData;
 
 /// Terms of the series of first and last blocks, whatever their window.
-const EDGE_TERMS: usize = 15;
+const EDGE_TERMS: usize = 16;
 /// Samples at most in a stream's last blocks.
 const LAST_BLOCK: usize = 4;
 
@@ -76,10 +77,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         })
     }
 
-    /// With a series of the order that [`plan::order`](super::plan::order) finds enough; at least one
-    /// beyond the fit's, at most the window's own.
+    /// With a series of the order that [`plan::order`](super::plan::order) finds enough, at most the
+    /// window's own.
     pub fn with_order(self, order: usize) -> Self {
-        Self { order: order.clamp((W::COEFFICIENTS + 1).min(W::TERMS), W::TERMS), ..self }
+        Self { order: order.clamp(1, W::TERMS), ..self }
     }
 
     /// Starts from an initial solution, whose attitude is brought to unit length.
@@ -91,7 +92,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
         Ok(State {
             frame,
-            samples: W::Samples::default(),
+            samples: W::samples(Increment::ZERO),
             filled: 0,
             pending: 0,
             integrated: 0,
@@ -204,12 +205,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let window = samples.as_ref().get(begin..begin + all).unwrap_or(&[]);
         let own = window.get(history..history + block).unwrap_or(&[]);
         let time = BlockTime::new(self.interval, block);
-        let fit = Fit::<R, MOST_SAMPLES>::of_any(window, history, block);
+        let (fit, sum) = Fit::<R, MOST_SAMPLES>::of_any(window, history, block);
+        let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::rounded(sum) };
         let (body, series) = body::integrate::<R, MOST_SAMPLES, { EDGE_TERMS + 1 }>(
-            &fit,
-            &Sum::of(own, F::TWO_FLOAT),
-            time.half,
-            EDGE_TERMS,
+            &fit, &sum, time.half, EDGE_TERMS,
         );
         self.step(state, &time, block, &body, &series, read);
     }
@@ -249,10 +248,11 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let before = state.frame;
         let step = state.frame.step(time, body);
         if Q::EVERY_ROW {
-            let part = R::INVERSE.get(block).copied().unwrap_or(R::ZERO);
+            let part = R::ONE / R::count(block as u32);
+            let mut mirror = Mirror::new();
             for row in 1..block {
                 let fraction = R::count(row as u32) * part;
-                let inside = series.until(fraction + fraction - R::ONE, time.half);
+                let inside = series.until_row(row, block, time.half, &mut mirror);
                 let output = before.within(&step, time, &inside, fraction);
                 read.row(state.integrated + row as u64, output);
             }

@@ -1,57 +1,95 @@
 //! The cheapest window that loses nothing: from the motion's bandwidth and the sampling interval.
 //!
 //! A window that follows x = Λh (the bandwidth Λ, rad/s, times the interval h) too coarsely leaves a
-//! residual drift; each limit below is where that falls under the rounding floor of double precision,
-//! found on the built-in scenes (`paper` has x = 1.2e-4, `hard` 0.3, `coning` 0.6, `vibration` 1.4).
+//! residual drift; each limit below is where that falls under the rounding floor, found on the built-in
+//! scenes (`paper` has x = 1.2e-4, `hard` 0.3, `coning` 0.6, `vibration` 1.4).
 
 /// A window's shape: history, block, look-ahead.
 pub type Shape = (usize, usize, usize);
 
-/// A straight line over twenty samples, where nothing changes.
-const STILL: Shape = (0, 20, 0);
-/// A straight line over eight: x at most.
-const SLOW: (f64, Shape) = (2e-4, (0, 8, 0));
-/// Four samples: x at most.
-const GENTLE: (f64, Shape) = (0.03, (0, 4, 0));
-/// Eight samples about the block: x at most.
-const LIVELY: (f64, Shape) = (0.4, (2, 4, 2));
-/// Twelve samples, the widest.
-const VIOLENT: Shape = (4, 4, 4);
+/// The digits that a navigator computes with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Digits {
+    /// Double precision.
+    Double,
+    /// Single precision: what is rounded counts more than what is truncated.
+    Single,
+    /// Single precision with two-float products where they count.
+    TwoFloat,
+}
 
-/// The window for a motion of this bandwidth, rad/s, sampled at this interval, s.
-///
-/// In single precision no straight line is planned: over its longer block more is rounded at once.
-pub fn window(bandwidth: f64, interval_s: f64, single_precision: bool) -> Shape {
-    let x = bandwidth * interval_s;
-    if x == 0.0 && !single_precision {
-        STILL
-    } else if x <= SLOW.0 && !single_precision {
-        SLOW.1
-    } else if x <= GENTLE.0 {
-        GENTLE.1
-    } else if x <= LIVELY.0 {
-        LIVELY.1
-    } else {
-        VIOLENT
-    }
+/// What a window is planned for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Flight {
+    /// The motion's bandwidth, rad/s.
+    pub bandwidth: f64,
+    /// What it turns by at most, rad/s.
+    pub angular_rate: f64,
+    /// Seconds between samples.
+    pub interval_s: f64,
+    /// How many digits the navigator has.
+    pub digits: Digits,
+    /// Whether it computes in Earth-fixed axes, whose step stays exact for longer blocks.
+    pub earth_fixed: bool,
+}
+
+/// A window with the largest x = Λh and the longest block, s, that it is planned for.
+struct Candidate(Shape, f64, f64);
+
+/// In double precision, the cheapest first.
+const EARTH_FIXED: [Candidate; 6] =
+    [Candidate((0, 40, 0), 0.0, 4.0), Candidate((0, 20, 0), 1.3e-4, 1.0), LINE, FOUR, EIGHT, ALL];
+const LOCAL_LEVEL: [Candidate; 5] = [Candidate((0, 20, 0), 0.0, 4.0), LINE, FOUR, EIGHT, ALL];
+/// In single precision a long block rounds more at once, always the same way where nothing changes.
+const SINGLE: [Candidate; 5] =
+    [Candidate((0, 4, 0), 0.0, f64::INFINITY), Candidate((0, 12, 0), 2e-4, 1.0), FOUR, EIGHT, ALL];
+
+const TWO_FLOAT: [Candidate; 3] = [FOUR, EIGHT, ALL];
+
+const LINE: Candidate = Candidate((0, 8, 0), 2e-4, f64::INFINITY);
+const FOUR: Candidate = Candidate((0, 4, 0), 0.03, f64::INFINITY);
+const EIGHT: Candidate = Candidate((2, 4, 2), 0.4, f64::INFINITY);
+const ALL: Candidate = Candidate(WIDEST, f64::INFINITY, f64::INFINITY);
+/// Twelve samples, the widest.
+const WIDEST: Shape = (4, 4, 4);
+
+/// The window for a flight.
+pub fn window(flight: &Flight) -> Shape {
+    let candidates: &[Candidate] = match (flight.digits, flight.earth_fixed) {
+        (Digits::Double, true) => &EARTH_FIXED,
+        (Digits::Double, false) => &LOCAL_LEVEL,
+        (Digits::Single, _) => &SINGLE,
+        (Digits::TwoFloat, _) => &TWO_FLOAT,
+    };
+    let x = flight.bandwidth * flight.interval_s;
+    let suits = |&&Candidate((_, block, _), most, longest_s): &&Candidate| {
+        x <= most && block as f64 * flight.interval_s <= longest_s
+    };
+    candidates.iter().find(suits).map_or(WIDEST, |&Candidate(shape, ..)| shape)
 }
 
 /// The window for a motion of which nothing is known.
-pub const UNKNOWN: Shape = LIVELY.1;
+pub const UNKNOWN: Shape = EIGHT.0;
 
 /// An order that no window's series exceeds.
 pub const HIGHEST_ORDER: usize = 20;
 
-/// The order at which the series of a block of a duration in seconds reaches the rounding floor, for a
-/// motion that turns by at most this rate, rad/s.
-pub fn order(angular_rate: f64, block_s: f64) -> usize {
-    // The rest is about wᵐ/m!, w the largest rotation over half the block.
-    let w = 0.5 * angular_rate * block_s;
-    let mut rest = 1.0;
-    let mut order = 0;
-    while rest > 1e-16 && order < HIGHEST_ORDER {
-        order += 1;
-        rest *= w / order as f64;
+/// The order of a block's series that reaches the rounding floor, at most: a window may have fewer terms.
+pub fn order(flight: &Flight, (history, block, lookahead): Shape) -> usize {
+    // The first products that order 3 leaves out turn what changes by x³/4! of the force by w: w the
+    // rotation over half the block, x the phase of the fastest motion.
+    let half_s = 0.5 * block as f64 * flight.interval_s;
+    let w = half_s * flight.angular_rate;
+    let x = w.max(half_s * flight.bandwidth);
+    let floor = if flight.digits == Digits::Single { 1e-10 } else { 3e-14 };
+    if w * x * x * x / 24.0 <= floor {
+        3
+    } else if w <= 0.2 && x <= 0.6 {
+        // The products with the fit's last coefficient are the last that count.
+        history + block + lookahead + 1
+    } else {
+        HIGHEST_ORDER
     }
-    order
 }

@@ -23,7 +23,12 @@ pub(super) struct Place<R> {
 impl<R: Real> Place<R> {
     /// The change of place, rad and m, whose leading digits are known.
     #[inline(always)]
-    pub fn change(&self, rough: &PlaceChange<R>, moved: Vector<R>) -> Geodetic<Pair<R>> {
+    pub fn change(
+        &self,
+        rough: &PlaceChange<R>,
+        moved: Vector<R>,
+        moved_low: Vector<R>,
+    ) -> Geodetic<Pair<R>> {
         let Self { sine, cosine, altitude } = *self;
         // 1/W, R_N = a/W, R_M = a(1 − e²)/W³
         let bulge = Pair::of(ECCENTRICITY_SQUARED) * sine * sine;
@@ -33,12 +38,13 @@ impl<R: Real> Place<R> {
             prime_vertical * Pair::of(1.0 - ECCENTRICITY_SQUARED) * inverse_w * inverse_w;
         // Δφ = N′/R − bend/R: what bends is below an ulp of N′ and must not be lost in it
         let inverse_radius = (meridian + altitude).reciprocal();
-        let mut latitude = Pair::new(rough.arc) * inverse_radius;
+        let (arc, low) = two_sum(moved.x, -rough.inward);
+        let mut latitude = Pair { hi: arc, lo: low + moved_low.x } * inverse_radius;
         latitude.lo = latitude.lo - rough.bend * inverse_radius.hi;
         // Δλ = y − y³/3, y = D_E/((R_N + h)c − D_N s − D_D c)
         let nearer = Pair::new(moved.x * sine.hi + moved.z * cosine.hi);
         let distance = (prime_vertical + altitude) * cosine - nearer;
-        let mut longitude = Pair::new(moved.y) * distance.reciprocal();
+        let mut longitude = Pair { hi: moved.y, lo: moved_low.y } * distance.reciprocal();
         let y = longitude.hi;
         longitude.lo = longitude.lo - y * y * y * R::of(1.0 / 3.0);
         Geodetic { latitude, longitude, altitude: Pair::new(rough.altitude) }
@@ -89,19 +95,131 @@ pub(super) fn inertial_longitude<R: Real>(change: Pair<R>, turn: Pair<R>, rest: 
     (rounded, low - (rounded - sum))
 }
 
-/// C u with its remainder.
+/// A factor of products whose rounding is kept: a number in two exact halves, and its remainder.
+#[derive(Clone, Copy)]
+struct Factor<R> {
+    number: R,
+    upper: R,
+    lower: R,
+    remainder: R,
+}
+
+impl<R: Real> Factor<R> {
+    #[inline(always)]
+    fn of(x: Pair<R>) -> Self {
+        let upper = x.hi.upper_half();
+        Self { number: x.hi, upper, lower: x.hi - upper, remainder: x.lo }
+    }
+}
+
+impl<R: Real> core::ops::Neg for Factor<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        let Self { number, upper, lower, remainder } = self;
+        Self { number: -number, upper: -upper, lower: -lower, remainder: -remainder }
+    }
+}
+
+/// Σ aᵢbᵢ with what rounding drops from it.
 #[inline(always)]
-pub(super) fn rotated<R: Real>(
-    attitude: Quaternion<Pair<R>>,
-    body: &BodyMotion<R>,
-) -> Vector<Pair<R>> {
-    let u = body.velocity.zip(body.velocity_low, |hi, lo| Pair { hi, lo });
-    attitude.matrix(Pair::new(R::ONE)) * u
+fn sum_of_products<R: Real, const N: usize>(factors: [(Factor<R>, Factor<R>); N]) -> Pair<R> {
+    let mut sum = Pair { hi: R::ZERO, lo: R::ZERO };
+    for (n, (a, b)) in factors.into_iter().enumerate() {
+        let p = a.number * b.number;
+        let rounded =
+            ((a.upper * b.upper - p) + a.upper * b.lower + a.lower * b.upper) + a.lower * b.lower;
+        let low = rounded + (a.number * b.remainder + a.remainder * b.number);
+        sum = if n == 0 {
+            Pair { hi: p, lo: low }
+        } else {
+            let (hi, rest) = two_sum(sum.hi, p);
+            Pair { hi, lo: sum.lo + (rest + low) }
+        };
+    }
+    sum
+}
+
+/// An attitude whose products are carried to twice the digits.
+#[derive(Clone, Copy)]
+pub(super) struct Attitude<R> {
+    w: Factor<R>,
+    v: Vector<Factor<R>>,
+}
+
+impl<R: Real> Attitude<R> {
+    #[inline(always)]
+    pub fn of(q: Quaternion<Pair<R>>) -> Self {
+        Self { w: Factor::of(q.w), v: q.v.map(Factor::of) }
+    }
+
+    /// C u with its remainder.
+    #[inline(always)]
+    pub fn rotated(&self, body: &BodyMotion<R>) -> Vector<Pair<R>> {
+        // t = 2 qᵥ × u,  C u = u + w t + qᵥ × t
+        let Self { w, v: Vector { x, y, z } } = *self;
+        let u = body.velocity.zip(body.velocity_low, |hi, lo| Pair { hi, lo });
+        let f = u.map(Factor::of);
+        let twice = |p: Pair<R>| Factor::of(Pair::sum(p.hi + p.hi, p.lo + p.lo));
+        let t = Vector::new(
+            twice(sum_of_products([(y, f.z), (-z, f.y)])),
+            twice(sum_of_products([(z, f.x), (-x, f.z)])),
+            twice(sum_of_products([(x, f.y), (-y, f.x)])),
+        );
+        let added = Vector::new(
+            sum_of_products([(w, t.x), (y, t.z), (-z, t.y)]),
+            sum_of_products([(w, t.y), (z, t.x), (-x, t.z)]),
+            sum_of_products([(w, t.z), (x, t.y), (-y, t.x)]),
+        );
+        u.zip(added, |u, d| {
+            let (hi, rest) = two_sum(u.hi, d.hi);
+            Pair { hi, lo: rest + (u.lo + d.lo) }
+        })
+    }
+
+    /// What turning by e in the body and back by the frame's turn m adds: (1 + m)* ⊗ q ⊗ (1 + e) − q.
+    #[inline(always)]
+    pub fn turned(
+        &self,
+        body: &BodyMotion<R>,
+        frame: Quaternion<Pair<R>>,
+    ) -> (Quaternion<Pair<R>>, Quaternion<Pair<R>>) {
+        let Self { w, v: Vector { x, y, z } } = *self;
+        // q ⊗ e
+        let e = Attitude::of(rotation(body));
+        let (ew, e) = (e.w, e.v);
+        let body_turn = Quaternion::new(
+            sum_of_products([(-x, e.x), (-y, e.y), (-z, e.z), (w, ew)]),
+            Vector::new(
+                sum_of_products([(w, e.x), (y, e.z), (-z, e.y), (x, ew)]),
+                sum_of_products([(w, e.y), (z, e.x), (-x, e.z), (y, ew)]),
+                sum_of_products([(w, e.z), (x, e.y), (-y, e.x), (z, ew)]),
+            ),
+        );
+        // m* ⊗ (q + q ⊗ e): m's scalar part and its product with q ⊗ e are small
+        let m = frame.v.map(Factor::of);
+        let frame_turn = Quaternion::new(
+            sum_of_products([(x, m.x), (y, m.y), (z, m.z)]),
+            Vector::new(
+                sum_of_products([(-w, m.x), (y, m.z), (-z, m.y)]),
+                sum_of_products([(-w, m.y), (z, m.x), (-x, m.z)]),
+                sum_of_products([(-w, m.z), (x, m.y), (-y, m.x)]),
+            ),
+        );
+        let back = frame.map(|c| c.hi).conjugate();
+        let whole = Quaternion::new(w.number, self.v.map(|c| c.number));
+        let both = back * body_turn.map(|c| c.hi) + whole * back.w;
+        let frame_turn = Quaternion::new(
+            Pair { lo: frame_turn.w.lo + both.w, ..frame_turn.w },
+            frame_turn.v.zip(both.v, |t, small| Pair { lo: t.lo + small, ..t }),
+        );
+        (body_turn, frame_turn)
+    }
 }
 
 /// e with its remainder.
 #[inline(always)]
-pub(super) fn rotation<R: Real>(body: &BodyMotion<R>) -> Quaternion<Pair<R>> {
+fn rotation<R: Real>(body: &BodyMotion<R>) -> Quaternion<Pair<R>> {
     let Quaternion { w, v } = body.rotation;
     Quaternion::new(Pair::new(w), v.zip(body.rotation_low, |hi, lo| Pair { hi, lo }))
 }

@@ -6,13 +6,15 @@
 
 use super::body::{BodyMotion, Series, Sum, integrate};
 use super::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
+use super::inside::BlockSeries;
+use super::least_squares::least_squares;
 use crate::math::real::Real;
 use crate::sample::Increment;
 
 /// Samples at least in the window of the first block, where history is wanted and there is none.
-const FIRST_SAMPLES: usize = 10;
+const FIRST_SAMPLES: usize = 14;
 
-/// Samples in the windows of the last blocks of a stream that straight lines were fitted to.
+/// Samples in the windows of the last blocks of a stream that lines or parabolas were fitted to.
 pub const LINE_LAST_SAMPLES: usize = 8;
 
 /// A shape of window with its fit, its series and its storage.
@@ -27,15 +29,18 @@ pub trait Window: Copy + Default + 'static {
     const SAMPLES: usize = Self::HISTORY + Self::BLOCK + Self::LOOKAHEAD;
     /// Samples in the window of the first block.
     const FIRST: usize = if Self::SAMPLES < FIRST_SAMPLES { FIRST_SAMPLES } else { Self::SAMPLES };
-    /// Coefficients of the fit: as many as samples, or 2 for a straight line.
+    /// Coefficients of the fit: as many as samples, or 2 for a line and 3 for a parabola.
     const COEFFICIENTS: usize;
     /// Order of the series at most: for the fastest motion.
     const TERMS: usize;
 
     /// Room for the samples that a block, or the end of a stream, can need.
-    type Samples<T: Copy + Default>: Copy + Default + AsRef<[T]> + AsMut<[T]>;
+    type Samples<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]>;
     /// The series of a block.
     type Series<R: Real>: BlockSeries<R>;
+
+    /// The room, filled.
+    fn samples<T: Copy>(fill: T) -> Self::Samples<T>;
 
     /// Integrates the block within the window's samples by a series up to σ^`order`; `None` if the
     /// samples are too few. With `two_float` the motion comes with what rounding drops from it.
@@ -47,21 +52,20 @@ pub trait Window: Copy + Default + 'static {
     ) -> Option<(BodyMotion<R>, Self::Series<R>)>;
 }
 
-/// A series that can be evaluated inside its block.
-pub trait BlockSeries<R: Real>: Copy {
-    /// The motion from the block's start to σ in (−1, 1).
-    fn until(&self, sigma: R, half_time_s: R) -> BodyMotion<R>;
-}
-
-impl<R: Real, const N: usize> BlockSeries<R> for Series<R, N> {
-    #[inline]
-    fn until(&self, sigma: R, half_time_s: R) -> BodyMotion<R> {
-        Series::until(self, sigma, half_time_s)
-    }
+/// How a window's samples are fitted: by the polynomial through them all, or by a line or parabola.
+macro_rules! fit {
+    (through, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {{
+        const SINGLE: &[[f32; $k]; $k] = &table_f32::<$k>($h, $b);
+        const DOUBLE: &[[f64; $k]; $k] = &table_f64::<$k>($h, $b);
+        Fit::of($samples, $h, $b, SINGLE, DOUBLE)
+    }};
+    (near, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {
+        least_squares::<R, $k>($samples)
+    };
 }
 
 macro_rules! windows {
-    ($($(#[$doc:meta])* $name:ident = $h:literal, $b:literal, $a:literal, $k:literal, $m:literal;)+) => {
+    ($($(#[$doc:meta])* $name:ident = $h:literal, $b:literal, $a:literal, $fit:ident $k:literal, $m:literal;)+) => {
         $(
             $(#[$doc])*
             #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -74,8 +78,13 @@ macro_rules! windows {
                 const LOOKAHEAD: usize = $a;
                 const COEFFICIENTS: usize = $k;
                 const TERMS: usize = $m;
-                type Samples<T: Copy + Default> = [T; capacity($h, $b, $a)];
+                type Samples<T: Copy> = [T; capacity($h, $b, $a)];
                 type Series<R: Real> = Series<R, { $m + 1 }>;
+
+                #[inline]
+                fn samples<T: Copy>(fill: T) -> Self::Samples<T> {
+                    [fill; capacity($h, $b, $a)]
+                }
 
                 #[inline(always)]
                 fn integrate<R: Real>(
@@ -84,13 +93,10 @@ macro_rules! windows {
                     order: usize,
                     two_float: bool,
                 ) -> Option<(BodyMotion<R>, Self::Series<R>)> {
-                    const P: usize = $h + $b + $a;
-                    const SINGLE: &[[f32; P]; $k] = &table_f32::<P, $k>($h, $b);
-                    const DOUBLE: &[[f64; P]; $k] = &table_f64::<P, $k>($h, $b);
-                    let samples = samples.first_chunk::<P>()?;
-                    let fit = Fit::of(samples, SINGLE, DOUBLE);
+                    let samples = samples.first_chunk::<{ $h + $b + $a }>()?;
                     let block = samples.get($h..$h + $b)?;
-                    let sum = Sum::of(block, two_float);
+                    let (fit, sum) = fit!($fit, $k, $h, $b, $a, samples);
+                    let sum = if two_float { Sum::exact(block) } else { Sum::rounded(sum) };
                     Some(integrate::<R, $k, { $m + 1 }>(&fit, &sum, half_time_s, order))
                 }
             }
@@ -109,29 +115,33 @@ const fn capacity(h: usize, b: usize, a: usize) -> usize {
 }
 
 windows! {
-    // name       H  B  A  coefficients, terms
+    // name       H  B  A  fit and its coefficients, terms
     /// Two samples, no delay beyond the block.
-    H0B2A0 = 0, 2, 0, 2, 6;
+    H0B2A0 = 0, 2, 0, through 2, 6;
     /// Three samples.
-    H0B3A0 = 0, 3, 0, 3, 7;
+    H0B3A0 = 0, 3, 0, through 3, 8;
     /// Four samples: cheap, for motion that is slow against the sampling; the microcontroller's.
-    H0B4A0 = 0, 4, 0, 4, 8;
+    H0B4A0 = 0, 4, 0, through 4, 8;
     /// Six samples.
-    H0B6A0 = 0, 6, 0, 6, 9;
+    H0B6A0 = 0, 6, 0, through 6, 10;
     /// Two of history: output every two samples without look-ahead.
-    H2B2A0 = 2, 2, 0, 4, 7;
+    H2B2A0 = 2, 2, 0, through 4, 8;
     /// Six samples about a block of two.
-    H2B2A2 = 2, 2, 2, 6, 8;
+    H2B2A2 = 2, 2, 2, through 6, 8;
     /// Six samples without look-ahead.
-    H2B4A0 = 2, 4, 0, 6, 9;
+    H2B4A0 = 2, 4, 0, through 6, 10;
     /// Eight samples without look-ahead: the most accurate that does not delay.
-    H4B4A0 = 4, 4, 0, 8, 10;
+    H4B4A0 = 4, 4, 0, through 8, 10;
     /// Eight samples about the block, two of delay: for hard motion.
-    H2B4A2 = 2, 4, 2, 8, 10;
+    H2B4A2 = 2, 4, 2, through 8, 10;
     /// Twelve samples about the block: for vibration at a low rate.
-    H4B4A4 = 4, 4, 4, 12, 14;
+    H4B4A4 = 4, 4, 4, through 12, 14;
     /// A straight line over eight samples: slow motion at a fraction of the cost.
-    Line8 = 0, 8, 0, 2, 3;
-    /// A straight line over twenty samples.
-    Line20 = 0, 20, 0, 2, 3;
+    Line8 = 0, 8, 0, near 2, 4;
+    /// A parabola over twelve samples.
+    Parabola12 = 0, 12, 0, near 3, 6;
+    /// A parabola over twenty samples.
+    Parabola20 = 0, 20, 0, near 3, 6;
+    /// A parabola over forty samples: the cheapest.
+    Parabola40 = 0, 40, 0, near 3, 6;
 }

@@ -18,7 +18,10 @@ type Earth = EarthFixed<Pair<f64>>;
 
 /// Largest misses over rows at blocks' ends and inside blocks, m.
 fn rows_and_ends<F: Frame<Real = f64>, W: Window>() {
-    let course = Course::new("manoeuvre", 1.0, 15.0);
+    // A line or a parabola is for slow motion.
+    let slow = W::COEFFICIENTS < W::SAMPLES;
+    let (scene, seconds) = if slow { ("paper-perfect", 60.0) } else { ("manoeuvre", 15.0) };
+    let course = Course::new(scene, 1.0, seconds);
     let rows = course.fly(&Strapdown::<F, W>::new(course.interval_s).unwrap());
     let misses: Vec<f64> = rows.iter().zip(1..).map(|(row, n)| course.miss(n, row)).collect();
     // The stream's last rows belong to blocks of their own.

@@ -41,10 +41,8 @@ fn drifts<W: Window, const P: usize>(samples_per_cycle: u32) -> [f64; 2] {
     let edge = |j: usize| start + j as f64 * beta;
     let samples: [_; P] = std::array::from_fn(|j| increment(edge(j), edge(j + 1)));
     let (own, _) = W::integrate(&samples, 1.0, W::TERMS, false).unwrap();
-    let fit = Fit::<f64, P>::of_any(&samples, W::HISTORY, W::BLOCK);
-    let block = &samples[W::HISTORY..W::HISTORY + W::BLOCK];
-    let sum = Sum::of(block, false);
-    let (long, _): (_, Series<f64, 23>) = integrate(&fit, &sum, 1.0, 22);
+    let (fit, sum) = Fit::<f64, P>::of_any(&samples, W::HISTORY, W::BLOCK);
+    let (long, _): (_, Series<f64, 23>) = integrate(&fit, &Sum::rounded(sum), 1.0, 22);
     let truth = rotation(0.3, 0.3 + W::BLOCK as f64 * beta);
     [own, long].map(|body| {
         let rest = truth.conjugate() * (body.rotation + Quaternion::IDENTITY);

@@ -3,6 +3,7 @@
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::strapdown::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
+use schuler::strapdown::least_squares::least_squares;
 use schuler::strapdown::window::NAMED;
 use std::ops::{Mul, Sub};
 
@@ -87,10 +88,10 @@ fn assert_rounded(computed: f64, exact: Ratio, what: &str) {
     assert!(gap <= f64::EPSILON * exact.float().abs(), "{what}: {computed} {exact:?}");
 }
 
-fn check<const P: usize, const K: usize>(history: usize, block: usize, exact: &[Vec<Ratio>]) {
-    let double = table_f64::<P, K>(history, block);
-    let single = table_f32::<P, K>(history, block);
-    for k in 0..K {
+fn check<const P: usize>(history: usize, block: usize, exact: &[Vec<Ratio>]) {
+    let double = table_f64::<P>(history, block);
+    let single = table_f32::<P>(history, block);
+    for k in 0..P {
         for j in 0..P {
             let what = format!("H{history} B{block} P{P}, entry {k} {j}");
             assert_rounded(double[k][j], exact[k][j], &what);
@@ -103,17 +104,17 @@ fn check<const P: usize, const K: usize>(history: usize, block: usize, exact: &[
 fn interpolating_tables_are_inverses() {
     for &(history, block, lookahead) in NAMED {
         let samples = history + block + lookahead;
-        if samples == 20 {
+        if samples > MOST_SAMPLES {
             continue;
         }
         let exact = inverse(matrix(history, block, samples, samples));
         match samples {
-            2 => check::<2, 2>(history, block, &exact),
-            3 => check::<3, 3>(history, block, &exact),
-            4 => check::<4, 4>(history, block, &exact),
-            6 => check::<6, 6>(history, block, &exact),
-            8 => check::<8, 8>(history, block, &exact),
-            12 => check::<12, 12>(history, block, &exact),
+            2 => check::<2>(history, block, &exact),
+            3 => check::<3>(history, block, &exact),
+            4 => check::<4>(history, block, &exact),
+            6 => check::<6>(history, block, &exact),
+            8 => check::<8>(history, block, &exact),
+            12 => check::<12>(history, block, &exact),
             _ => unreachable!("{samples}"),
         }
     }
@@ -121,26 +122,47 @@ fn interpolating_tables_are_inverses() {
 
 #[test]
 fn four_samples_give_the_rate_at_their_middle() {
-    let [first, ..] = table_f64::<4, 4>(0, 4);
+    let [first, ..] = table_f64::<4>(0, 4);
     assert_eq!(first, [-1.0 / 6.0, 7.0 / 6.0, 7.0 / 6.0, -1.0 / 6.0]);
 }
 
 /// (BᵀB)⁻¹Bᵀ
-fn line(block: usize) -> Vec<Vec<Ratio>> {
-    let b = matrix(0, block, block, 2);
+fn normal_equations(block: usize, coefficients: usize) -> Vec<Vec<Ratio>> {
+    let b = matrix(0, block, block, coefficients);
     let zero = Ratio(0, 1);
-    let minus = |x: Ratio| zero - x;
-    let dot = |i: usize, j: usize| b.iter().fold(zero, |sum, row| sum - minus(row[i]) * row[j]);
-    let normal = vec![vec![dot(0, 0), dot(0, 1)], vec![dot(1, 0), dot(1, 1)]];
-    let m = inverse(normal);
-    let entry = |k: usize, row: &[Ratio]| m[k][0] * row[0] - minus(m[k][1]) * row[1];
-    (0..2).map(|k| b.iter().map(|row| entry(k, row)).collect()).collect()
+    let sum = |terms: &mut dyn Iterator<Item = Ratio>| terms.fold(zero, |sum, x| sum - (zero - x));
+    let dot = |i: usize, j: usize| sum(&mut b.iter().map(|row| row[i] * row[j]));
+    let all = 0..coefficients;
+    let m = inverse(all.clone().map(|i| all.clone().map(|j| dot(i, j)).collect()).collect());
+    let entry = |k: usize, row: &[Ratio]| sum(&mut all.clone().map(|i| m[k][i] * row[i]));
+    all.clone().map(|k| b.iter().map(|row| entry(k, row)).collect()).collect()
+}
+
+fn check_least_squares<const K: usize>(block: usize) {
+    let exact = normal_equations(block, K);
+    for j in 0..block {
+        let (fit, sum) = least_squares::<f64, K>(&unit(block, j));
+        assert_eq!(sum, unit(1, 0)[0]);
+        for (k, row) in exact.iter().enumerate() {
+            let largest = row.iter().map(|a| a.float().abs()).fold(0.0, f64::max);
+            let entries = fit.rate[k].into_array().into_iter().chain(fit.force[k].into_array());
+            for (n, x) in (1..).zip(entries) {
+                // The running totals are as large as B² and cancel.
+                let bound = 16.0 * f64::EPSILON * largest * f64::from(n);
+                let gap = (x - f64::from(n) * row[j].float()).abs();
+                assert!(gap <= bound, "B{block} K{K}, entry {k} {j}: {gap:e} {bound:e}");
+            }
+        }
+    }
 }
 
 #[test]
-fn straight_lines_are_least_squares() {
-    check::<8, 2>(0, 8, &line(8));
-    check::<20, 2>(0, 20, &line(20));
+fn lines_and_parabolas_are_least_squares() {
+    check_least_squares::<2>(8);
+    check_least_squares::<2>(3);
+    check_least_squares::<3>(20);
+    check_least_squares::<3>(40);
+    check_least_squares::<3>(5);
 }
 
 fn unit(count: usize, j: usize) -> Vec<Increment<f64>> {
@@ -157,7 +179,9 @@ fn windows_at_the_ends_of_a_stream_are_inverses_too() {
         for history in 0..=all - block {
             let exact = inverse(matrix(history, block, all, all));
             for j in 0..all {
-                let fit = Fit::<f64, MOST_SAMPLES>::of_any(&unit(all, j), history, block);
+                let (fit, sum) = Fit::<f64, MOST_SAMPLES>::of_any(&unit(all, j), history, block);
+                let own = (history..history + block).contains(&j);
+                assert_eq!(sum, if own { unit(1, 0)[0] } else { Increment::ZERO });
                 for k in 0..MOST_SAMPLES {
                     let a = exact.get(k).map_or(Ratio(0, 1), |row| row[j]);
                     let what = format!("H{history} B{block} P{all}, entry {k} {j}");
@@ -174,10 +198,19 @@ fn windows_at_the_ends_of_a_stream_are_inverses_too() {
 
 #[test]
 fn a_fit_takes_each_axis_for_itself() {
-    let double = table_f64::<6, 6>(2, 2);
-    for j in 0..6 {
-        let samples: [_; 6] = unit(6, j).try_into().unwrap();
-        let fit = Fit::of(&samples, &table_f32::<6, 6>(2, 2), &double);
+    // As much history as look-ahead; less; three samples, one of which is the middle.
+    each_axis::<6>(2, 2);
+    each_axis::<8>(4, 4);
+    each_axis::<3>(0, 3);
+}
+
+fn each_axis<const P: usize>(history: usize, block: usize) {
+    let (single, double) = (table_f32::<P>(history, block), table_f64::<P>(history, block));
+    for j in 0..P {
+        let samples: [_; P] = unit(P, j).try_into().unwrap();
+        let (fit, sum) = Fit::of(&samples, history, block, &single, &double);
+        let own = (history..history + block).contains(&j);
+        assert_eq!(sum, if own { unit(1, 0)[0] } else { Increment::ZERO });
         for (k, row) in double.iter().enumerate() {
             let a = row[j];
             assert_eq!(fit.rate[k], Vector::new(a, a * 2.0, a * 3.0));

@@ -6,7 +6,7 @@ macro_rules! every_window {
         use schuler::strapdown::window::*;
         every_window!(
             @ $f [$($first)?] H0B2A0, H0B3A0, H0B4A0, H0B6A0, H2B2A0, H2B2A2, H2B4A0, H4B4A0, H2B4A2,
-            H4B4A4, Line8, Line20
+            H4B4A4, Line8, Parabola12, Parabola20, Parabola40
         );
     }};
     (@ $f:ident [] $($w:ident),+) => { $($f::<$w>();)+ };

@@ -88,7 +88,8 @@ fn starts_that_cannot_be_right() {
 fn remainders_that_cannot_be_right() {
     for lo in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let good = place(0.8, 2.0, 300.0);
-        let coordinates: [fn(&mut Solution<f64>) -> &mut Pair<f64>; 3] = [
+        type Coordinate = fn(&mut Solution<f64>) -> &mut Pair<f64>;
+        let coordinates: [Coordinate; 3] = [
             |s| &mut s.position.latitude,
             |s| &mut s.position.longitude,
             |s| &mut s.position.altitude,

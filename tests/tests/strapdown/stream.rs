@@ -18,6 +18,11 @@ fn course() -> Course {
     Course::new("manoeuvre", 1.0, 1.0)
 }
 
+/// A hundred samples of motion that suits the window: a line or a parabola is for slow motion.
+fn course_for<W: Window>() -> Course {
+    if W::COEFFICIENTS < W::SAMPLES { Course::new("paper-perfect", 1.0, 5.0) } else { course() }
+}
+
 fn name<W: Window>() -> String {
     format!("H{} B{} A{}", W::HISTORY, W::BLOCK, W::LOOKAHEAD)
 }
@@ -35,7 +40,7 @@ fn one_row_each<F: Frame<Real = f64>, W: Window>()
 where
     State<F, W>: Record,
 {
-    let (course, name) = (course(), name::<W>());
+    let (course, name) = (course_for::<W>(), name::<W>());
     let strapdown = Strapdown::<F, W>::new(course.interval_s).unwrap();
     let mut reading = strapdown.start(&course.initial()).unwrap();
     let mut silent = reading;
@@ -112,7 +117,7 @@ fn the_textbook_has_its_row_at_once() {
 
 /// A row that look-ahead delayed is what it would have been in any other stream.
 fn delayed_but_unchanged<W: Window>() {
-    let course = course();
+    let course = course_for::<W>();
     let strapdown = Strapdown::<Local, W>::new(course.interval_s).unwrap();
     let rows = |length: usize| {
         let mut state = strapdown.start(&course.initial()).unwrap();
@@ -134,11 +139,6 @@ fn delayed_but_unchanged<W: Window>() {
 #[test]
 fn look_ahead_delays_a_row_and_never_changes_it() {
     every_window!(delayed_but_unchanged);
-}
-
-/// A hundred samples of motion that suits the window: a straight line is for slow motion.
-fn course_for<W: Window>() -> Course {
-    if W::COEFFICIENTS < W::SAMPLES { Course::new("paper-perfect", 1.0, 5.0) } else { course() }
 }
 
 /// How well a window does on a motion at its best: its largest miss in an unbroken stream, m.

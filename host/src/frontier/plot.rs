@@ -1,0 +1,232 @@
+//! `frontier.png`: a panel per scene, time against error, both logarithmic, the front drawn in.
+
+use super::Point;
+use super::case::Method;
+use super::table::{by_scene, front_of};
+use crate::input::{Complaint, InputError};
+use crate::output;
+use crate::report::canvas::{Anchor, Canvas, Ink, Lettering, Stroke};
+use crate::report::chart::Frame;
+use crate::report::number::{parameter, printed};
+use crate::report::raster::Raster;
+use std::path::Path;
+
+const WIDTH: f32 = 1100.0;
+/// Where the names of the front stand, beside the drawing.
+const NAMES_LEFT: f32 = 790.0;
+const LEFT: f32 = 70.0;
+const RIGHT: f32 = NAMES_LEFT - 40.0;
+const TOP: f32 = 52.0;
+/// Above and below a panel's drawing.
+const HEAD: f32 = 34.0;
+const FOOT: f32 = 48.0;
+/// Height of a drawing, at least.
+const LEAST_HEIGHT: f32 = 300.0;
+/// From one name to the next.
+const LINE: f32 = 14.0;
+const SMALL: f32 = 11.0;
+
+/// Writes `frontier.png` into a directory.
+pub fn write(points: &[Point], directory: &Path) -> Result<(), InputError> {
+    let path = directory.join("frontier.png");
+    let scenes = by_scene(points);
+    let heights: Vec<f32> = scenes.iter().map(|scene| height(scene)).collect();
+    let whole = TOP + heights.iter().map(|height| HEAD + height + FOOT).sum::<f32>();
+    let fault =
+        |what: String| InputError::file(&path.display().to_string(), Complaint::new(what, ""));
+    let mut sheet = Raster::new(WIDTH as u32, whole.ceil() as u32)
+        .ok_or_else(|| fault("no picture of this size".to_owned()))?;
+    legend(&mut sheet);
+    let mut top = TOP;
+    for (scene, height) in scenes.iter().zip(heights) {
+        let inner = Frame { left: LEFT, top: top + HEAD, width: RIGHT - LEFT, height };
+        panel(&mut sheet, scene, inner);
+        top += HEAD + height + FOOT;
+    }
+    let picture = sheet.png().map_err(|error| fault(format!("cannot be drawn: {error}")))?;
+    output::write(&path, picture)
+}
+
+fn height(scene: &[&Point]) -> f32 {
+    LEAST_HEIGHT.max(LINE * front_of(scene).len() as f32)
+}
+
+fn lettering(anchor: Anchor) -> Lettering {
+    Lettering { size: SMALL, bold: false, anchor }
+}
+
+fn ink(point: &Point) -> Ink {
+    match point.case.method {
+        Method::Taylor(_) => Ink::North,
+        Method::Textbook => Ink::East,
+        Method::RungeKutta => Ink::Down,
+    }
+}
+
+fn legend(canvas: &mut impl Canvas) {
+    let title = Lettering { size: 15.0, bold: true, anchor: Anchor::Start };
+    canvas.text([LEFT, 22.0], "Run time against error", Ink::Text, title);
+    let mut left = LEFT;
+    for (name, ink) in
+        [("taylor", Ink::North), ("textbook", Ink::East), ("rk4 on rates", Ink::Down)]
+    {
+        canvas.dot([left + 4.0, 38.0], 4.0, ink);
+        canvas.text([left + 13.0, 42.0], name, Ink::Muted, lettering(Anchor::Start));
+        left += 100.0;
+    }
+    canvas.line("", &[[left, 38.0], [left + 22.0, 38.0]], Ink::Text, Stroke::solid(1.5));
+    let front = "the front: nothing is both cheaper and more accurate";
+    canvas.text([left + 30.0, 42.0], front, Ink::Muted, lettering(Anchor::Start));
+}
+
+/// A logarithmic axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Decades {
+    /// log₁₀ of the ends.
+    from: f64,
+    to: f64,
+}
+
+impl Decades {
+    /// Spans what is positive and finite among the values, with some air.
+    pub fn spanning(values: impl IntoIterator<Item = f64>) -> Self {
+        let exponents = values.into_iter().filter(|x| *x > 0.0 && x.is_finite()).map(f64::log10);
+        let (low, high) = exponents.fold((f64::MAX, f64::MIN), |(l, h), e| (l.min(e), h.max(e)));
+        let (low, high) = if low > high { (0.0, 0.0) } else { (low, high) };
+        let air = 0.15_f64.max(0.03 * (high - low));
+        Self { from: low - air, to: high + air }
+    }
+
+    /// Where a value lies, 0 to 1; what is zero, at the lower end.
+    pub fn fraction(self, value: f64) -> f64 {
+        ((value.log10() - self.from) / (self.to - self.from)).clamp(0.0, 1.0)
+    }
+
+    /// Round values, at most about so many: whole decades, with 2 and 5 where there are few.
+    pub fn ticks(self, most: usize) -> Vec<f64> {
+        let decades = self.to - self.from;
+        let step = (decades / most.max(1) as f64).ceil().max(1.0) as usize;
+        let digits: &[f64] = if 3.0 * decades <= most as f64 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let (first, last) = (self.from.floor() as i32, self.to.ceil() as i32);
+        (first..=last)
+            .filter(|exponent| exponent.rem_euclid(step as i32) == 0)
+            .flat_map(|exponent| digits.iter().map(move |digit| digit * 10f64.powi(exponent)))
+            .filter(|value| (self.from..=self.to).contains(&value.log10()))
+            .collect()
+    }
+}
+
+fn panel(canvas: &mut impl Canvas, scene: &[&Point], inner: Frame) {
+    let x_axis = Decades::spanning(scene.iter().map(|p| p.cost_us_per_s()));
+    let y_axis = Decades::spanning(scene.iter().map(|p| p.max_position_m));
+    let (right, bottom) = (inner.left + inner.width, inner.top + inner.height);
+    let x = |cost: f64| inner.left + inner.width * x_axis.fraction(cost) as f32;
+    let y = |error: f64| bottom - inner.height * y_axis.fraction(error) as f32;
+    for cost in x_axis.ticks(12) {
+        canvas.line("", &[[x(cost), inner.top], [x(cost), bottom]], Ink::Grid, Stroke::solid(1.0));
+        let at = [x(cost), bottom + 15.0];
+        canvas.text(at, &parameter(cost), Ink::Muted, lettering(Anchor::Middle));
+    }
+    for error in y_axis.ticks((inner.height / 24.0) as usize) {
+        let level = [[inner.left, y(error)], [right, y(error)]];
+        canvas.line("", &level, Ink::Grid, Stroke::solid(1.0));
+        let (at, name) = ([inner.left - 6.0, y(error) + 4.0], printed(&format!("{error:e}")));
+        canvas.text(at, &name, Ink::Muted, lettering(Anchor::End));
+    }
+    let corner = [[inner.left, inner.top], [inner.left, bottom], [right, bottom]];
+    canvas.line("", &corner, Ink::Muted, Stroke::solid(1.0));
+    let middle = (inner.left + right) / 2.0;
+    let time = "time per second of flight, µs";
+    canvas.text([middle, bottom + 31.0], time, Ink::Muted, lettering(Anchor::Middle));
+    let heading = Lettering { size: 13.0, bold: true, anchor: Anchor::Start };
+    let title = scene.first().map_or(String::new(), |first| {
+        format!("{}, {} s: largest position error, m", first.scene, parameter(first.duration_s))
+    });
+    canvas.text([inner.left, inner.top - 11.0], &title, Ink::Text, heading);
+
+    let drawn = |p: &&&Point| p.max_position_m.is_finite() && p.cost_us_per_s().is_finite();
+    for point in scene.iter().filter(drawn).filter(|p| !p.on_front) {
+        canvas.dot([x(point.cost_us_per_s()), y(point.max_position_m)], 1.8, ink(point));
+    }
+    let front = front_of(scene);
+    // What a given time buys: the error stays until the next point is affordable.
+    let mut stairs: Vec<[f32; 2]> = Vec::new();
+    for point in &front {
+        let at = [x(point.cost_us_per_s()), y(point.max_position_m)];
+        if let Some(&[_, level]) = stairs.last() {
+            stairs.push([at[0], level]);
+        }
+        stairs.push(at);
+    }
+    canvas.line("front", &stairs, Ink::Text, Stroke::solid(1.5));
+    let ideal: Vec<f32> = front.iter().map(|point| y(point.max_position_m)).collect();
+    for (point, level) in front.iter().zip(spread(&ideal, inner.top, bottom, LINE)) {
+        let at = [x(point.cost_us_per_s()), y(point.max_position_m)];
+        let elbow = [[at[0], at[1]], [right + 6.0, level], [NAMES_LEFT - 5.0, level]];
+        canvas.line("", &elbow, Ink::Grid, Stroke::solid(1.0));
+        canvas.dot(at, 4.0, ink(point));
+        let at = [NAMES_LEFT, level + 4.0];
+        canvas.text(at, &point.name(), Ink::Text, lettering(Anchor::Start));
+    }
+}
+
+/// Levels from top to bottom, in order, each near its ideal and at least `gap` from the next.
+fn spread(ideal: &[f32], top: f32, bottom: f32, gap: f32) -> Vec<f32> {
+    let mut levels = Vec::with_capacity(ideal.len());
+    let mut free = top;
+    for &level in ideal {
+        let level = level.max(free);
+        levels.push(level);
+        free = level + gap;
+    }
+    // What ran out below is pushed up again.
+    let mut free = bottom;
+    for level in levels.iter_mut().rev() {
+        *level = level.min(free);
+        free = *level - gap;
+    }
+    levels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_never_overlap() {
+        for ideal in [vec![10.0, 11.0, 12.0, 50.0], vec![95.0, 96.0, 97.0, 98.0], vec![0.0; 7]] {
+            let levels = spread(&ideal, 0.0, 100.0, 14.0);
+            assert_eq!(levels.len(), ideal.len());
+            let apart = levels.windows(2).all(|pair| pair[1] - pair[0] >= 13.99);
+            let inside = levels.iter().all(|level| (-0.01..=100.01).contains(level));
+            assert!(apart && inside, "{levels:?}");
+        }
+        assert_eq!(spread(&[10.0, 30.0], 0.0, 100.0, 14.0), [10.0, 30.0]);
+    }
+
+    #[test]
+    fn decades_are_marked() {
+        let axis = Decades::spanning([0.0, 1e-9, f64::NAN, 1e3, f64::INFINITY]);
+        assert!(axis.fraction(1e-9) > 0.0 && axis.fraction(1e3) < 1.0);
+        assert!((axis.fraction(1e-3) - 0.5).abs() < 1e-9);
+        let near = |ticks: Vec<f64>, expected: &[f64]| {
+            assert_eq!(ticks.len(), expected.len(), "{ticks:?}");
+            assert!(ticks.iter().zip(expected).all(|(a, b)| (a / b - 1.0).abs() < 1e-12));
+        };
+        near(axis.ticks(7), &[1e-8, 1e-6, 1e-4, 1e-2, 1e0, 1e2]);
+        near(Decades::spanning([1.5, 40.0]).ticks(12), &[2.0, 5.0, 10.0, 20.0, 50.0]);
+        assert_eq!(axis.fraction(0.0), 0.0);
+    }
+
+    #[test]
+    fn the_picture_is_written() {
+        let directory = tempfile::tempdir().expect("a folder");
+        write(&super::super::table::tests::points(), directory.path()).expect("writes");
+        let png = std::fs::read(directory.path().join("frontier.png")).expect("is there");
+        assert!(png.starts_with(b"\x89PNG"));
+        let decoder = png::Decoder::new(std::io::Cursor::new(&png));
+        let reader = decoder.read_info().expect("a picture");
+        assert_eq!(reader.info().width, WIDTH as u32);
+        assert_eq!(reader.info().height, (TOP + 2.0 * (HEAD + LEAST_HEIGHT + FOOT)) as u32);
+    }
+}

@@ -65,6 +65,11 @@ impl Arithmetic {
         }
     }
 
+    /// Whether it is double precision.
+    pub fn is_double(self) -> bool {
+        matches!(self, Self::Named(Precision::F64) | Self::PlainDouble)
+    }
+
     /// Where square roots and the functions of the start come from.
     pub fn math(self) -> &'static str {
         if self == Self::Coarse { "micromath" } else { "libm" }

@@ -1,24 +1,21 @@
 //! One scene at one rate: every case flown against the truth, then timed in turns.
 
 use super::case::{Case, Craft};
+use super::chunk::Chunk;
+use super::pace;
 use super::{LeftOut, Point};
 use crate::navigator::{Reader, Unavailable};
 use crate::scene::Scene;
 use crate::source::{Source, SourceError};
-use crate::timing;
 use crate::units::ARCSECOND;
 use schuler::drift::compare::drift;
 use schuler::imu;
-use schuler::sample::{Increment, Rates};
 use schuler::solution::Solution;
 use schuler::strapdown::mechanization::Rejected;
 use schuler::trajectory::Trajectory as _;
 use std::sync::mpsc;
 use std::thread;
-use std::time::Instant;
 
-/// Samples that a case is timed over, at most.
-pub const TIMED_SAMPLES: u64 = 2000;
 /// Samples that are held at a time.
 const CHUNK: u64 = 4096;
 /// Samples that a row may lie behind the newest one, at most: a block with its look-ahead.
@@ -66,7 +63,7 @@ pub fn measure(
             });
         }
     }
-    let times = time(&source, samples.min(TIMED_SAMPLES), &flying, passes, flown);
+    let times = pace::time(&source, samples.min(pace::SAMPLES), &flying, passes, flown);
     for (point, (median, spread)) in points.iter_mut().zip(times) {
         (point.ns_per_sample, point.ns_spread) = (median, spread);
     }
@@ -201,91 +198,6 @@ fn against<'a>(
     }
 }
 
-/// Some samples in a row.
-struct Chunk {
-    increments: Vec<Increment<f64>>,
-    rates: Vec<Rates<f64>>,
-}
-
-impl Chunk {
-    /// Those after `before` up to `end`.
-    fn new(source: &Source, before: u64, end: u64) -> Self {
-        let perfect = |n| source.perfect(source.time_s(n - 1), source.time_s(n));
-        let rates = |n| imu::rates(&source.motion(n));
-        Self {
-            increments: (before + 1..=end).map(perfect).collect(),
-            rates: (before + 1..=end).map(rates).collect(),
-        }
-    }
-}
-
-impl Craft {
-    fn push_rates(&mut self, rates: &Rates<f64>, read: &mut Reader) -> Result<(), Rejected> {
-        match self {
-            Self::Increments(_) => Ok(()),
-            Self::Rates(navigator) => navigator.push(rates, read),
-        }
-    }
-
-    fn advance(&mut self, chunk: &Chunk, read: &mut Reader) -> Result<(), Rejected> {
-        match self {
-            Self::Increments(craft) => {
-                chunk.increments.iter().try_for_each(|n| craft.push(n, read))
-            }
-            Self::Rates(craft) => chunk.rates.iter().try_for_each(|n| craft.push(n, read)),
-        }
-    }
-
-    fn finish(&mut self, read: &mut Reader) {
-        if let Self::Increments(navigator) = self {
-            navigator.finish(read);
-        }
-    }
-}
-
-/// Median and spread of each case's time per sample, ns. A pass goes over all cases before the next
-/// one begins, so that a slow moment of the machine does not fall on one case alone; each is flown
-/// once unmeasured before, so that its samples and code are at hand as in a long flight.
-fn time(
-    source: &Source,
-    samples: u64,
-    crafts: &[Craft],
-    passes: usize,
-    flown: &mut dyn FnMut(u64),
-) -> Vec<(f64, f64)> {
-    let increments = timing::perfect(source, samples);
-    let rates: Vec<_> = (0..=samples).map(|n| imu::rates(&source.motion(n))).collect();
-    let mut flights: Vec<Box<dyn FnMut() + '_>> = crafts
-        .iter()
-        .map(|craft| match craft {
-            Craft::Increments(navigator) => navigator.fly_unread(&increments),
-            Craft::Rates(navigator) => navigator.fly_unread(&rates),
-        })
-        .collect();
-    let mut times = vec![Vec::with_capacity(passes); crafts.len()];
-    for _ in 0..passes {
-        for (flight, times) in flights.iter_mut().zip(&mut times) {
-            flight();
-            let start = Instant::now();
-            flight();
-            times.push(1e9 * start.elapsed().as_secs_f64() / samples.max(1) as f64);
-            flown(samples);
-        }
-    }
-    times.into_iter().map(median_and_spread).collect()
-}
-
-/// The median, and the distance from the first to the ninth tenth.
-fn median_and_spread(mut times: Vec<f64>) -> (f64, f64) {
-    times.sort_by(f64::total_cmp);
-    let at =
-        |tenths: usize| times.get((times.len() * tenths / 10).min(times.len().saturating_sub(1)));
-    match (at(1), at(5), at(9)) {
-        (Some(low), Some(median), Some(high)) => (*median, high - low),
-        _ => (f64::NAN, f64::NAN),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -313,7 +225,7 @@ mod tests {
         let mut heard = 0;
         let (points, left_out) = measure(&scene, &cases, 1, &mut |n| heard += n).expect("flies");
         assert_eq!(left_out, []);
-        assert_eq!(heard, (5001 + TIMED_SAMPLES) * cases.len() as u64);
+        assert_eq!(heard, (5001 + pace::SAMPLES) * cases.len() as u64);
         assert!(points.iter().all(|p| p.ns_per_sample > 0.0 && p.ns_spread == 0.0));
         assert!(points.iter().map(|p| p.case.to_string()).eq(names));
         scene.navigator.frame = Frame::EarthFixed;
@@ -358,11 +270,5 @@ mod tests {
         let source = Source::new(&scene, false).expect("built in");
         let flight = Flight { largest, ..Flight::new(&source, &Case::all()[0]) };
         assert!(flight.outcome().expect_err("no number").contains("NaN"));
-    }
-
-    #[test]
-    fn median_and_spread_are_of_the_times() {
-        assert_eq!(median_and_spread((1..=25).rev().map(f64::from).collect()), (13.0, 20.0));
-        assert_eq!(median_and_spread(vec![7.0]), (7.0, 0.0));
     }
 }

@@ -6,10 +6,15 @@
 //! the largest position error.
 
 pub mod case;
+pub mod chunk;
+pub mod csv;
 pub mod front;
 pub mod measure;
+pub mod pace;
 pub mod plot;
 pub mod rates;
+#[cfg(test)]
+mod sample;
 pub mod table;
 pub mod task;
 
@@ -82,7 +87,7 @@ pub fn frontier(args: &FrontierArgs) -> Result<(), FlightError> {
     let cases = Case::all();
     let passes = if args.quick { QUICK_PASSES } else { PASSES };
     let timed = |task: &task::Task| -> u64 {
-        task.at_rates().map(|scene| scene.samples().min(measure::TIMED_SAMPLES)).sum()
+        task.at_rates().map(|scene| scene.samples().min(pace::SAMPLES)).sum()
     };
     let samples: u64 = tasks.iter().map(|task| task.samples() + passes as u64 * timed(task)).sum();
     let progress = Progress::new(samples * cases.len() as u64);
@@ -103,7 +108,7 @@ pub fn frontier(args: &FrontierArgs) -> Result<(), FlightError> {
     }
     progress.finish();
     let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join("frontier"));
-    output::write(directory.join("frontier.csv"), table::csv(&points))?;
+    output::write(directory.join("frontier.csv"), csv::bytes(&points))?;
     plot::write(&points, &directory)?;
     let mut text = table::table(&points);
     text += &table::left_out(&tasks, &cases, &left_out);

@@ -1,7 +1,7 @@
 //! `frontier.png`: a panel per scene, time against error, both logarithmic, the front drawn in.
 
 use super::Point;
-use super::case::Method;
+use super::case::{Arithmetic, Case, Method};
 use super::table::{by_scene, front_of};
 use crate::input::{Complaint, InputError};
 use crate::output;
@@ -9,6 +9,7 @@ use crate::report::canvas::{Anchor, Canvas, Ink, Lettering, Stroke};
 use crate::report::chart::Frame;
 use crate::report::number::{parameter, printed};
 use crate::report::raster::Raster;
+use crate::scene::{self, Precision, WindowShape};
 use std::path::Path;
 
 const WIDTH: f32 = 1100.0;
@@ -55,24 +56,25 @@ fn lettering(anchor: Anchor) -> Lettering {
     Lettering { size: SMALL, bold: false, anchor }
 }
 
-fn ink(point: &Point) -> Ink {
-    match point.case.method {
-        Method::Taylor(_) => Ink::North,
-        Method::Textbook => Ink::East,
-        Method::RungeKutta => Ink::Down,
-    }
-}
-
 fn legend(canvas: &mut impl Canvas) {
     let title = Lettering { size: 15.0, bold: true, anchor: Anchor::Start };
     canvas.text([LEFT, 22.0], "Run time against error", Ink::Text, title);
+    let named = |method, precision| Case {
+        method,
+        frame: scene::Frame::EarthFixed,
+        arithmetic: Arithmetic::Named(precision),
+    };
+    let window = WindowShape { history: 0, block: 4, lookahead: 0 };
     let mut left = LEFT;
-    for (name, ink) in
-        [("taylor", Ink::North), ("textbook", Ink::East), ("rk4 on rates", Ink::Down)]
-    {
-        canvas.dot([left + 4.0, 38.0], 4.0, ink);
+    for (name, case) in [
+        ("taylor", named(Method::Taylor(window), Precision::F64)),
+        ("textbook", named(Method::Textbook, Precision::F64)),
+        ("rk4 on rates", named(Method::RungeKutta, Precision::F64)),
+        ("in single precision", named(Method::Taylor(window), Precision::F32)),
+    ] {
+        mark(canvas, [left + 4.0, 38.0], 4.5, case);
         canvas.text([left + 13.0, 42.0], name, Ink::Muted, lettering(Anchor::Start));
-        left += 100.0;
+        left += 45.0 + 6.0 * name.len() as f32;
     }
     canvas.line("", &[[left, 38.0], [left + 22.0, 38.0]], Ink::Text, Stroke::solid(1.5));
     let front = "the front: nothing is both cheaper and more accurate";
@@ -144,29 +146,44 @@ fn panel(canvas: &mut impl Canvas, scene: &[&Point], inner: Frame) {
     });
     canvas.text([inner.left, inner.top - 11.0], &title, Ink::Text, heading);
 
-    let drawn = |p: &&&Point| p.max_position_m.is_finite() && p.cost_us_per_s().is_finite();
-    for point in scene.iter().filter(drawn).filter(|p| !p.on_front) {
-        canvas.dot([x(point.cost_us_per_s()), y(point.max_position_m)], 1.8, ink(point));
-    }
+    let at = |point: &Point| [x(point.cost_us_per_s()), y(point.max_position_m)];
     let front = front_of(scene);
+    let ideal: Vec<f32> = front.iter().map(|point| y(point.max_position_m)).collect();
+    let levels = spread(&ideal, inner.top, bottom, LINE);
+    for (point, &level) in front.iter().zip(&levels) {
+        let elbow = [at(point), [right + 6.0, level], [NAMES_LEFT - 5.0, level]];
+        canvas.line("", &elbow, Ink::Muted, Stroke::solid(0.6));
+        let name = [NAMES_LEFT, level + 4.0];
+        canvas.text(name, &point.name(), Ink::Text, lettering(Anchor::Start));
+    }
+    for point in scene.iter().filter(|p| !p.on_front && p.max_position_m.is_finite()) {
+        mark(canvas, at(point), 2.0, point.case);
+    }
     // What a given time buys: the error stays until the next point is affordable.
     let mut stairs: Vec<[f32; 2]> = Vec::new();
     for point in &front {
-        let at = [x(point.cost_us_per_s()), y(point.max_position_m)];
+        let at = at(point);
         if let Some(&[_, level]) = stairs.last() {
             stairs.push([at[0], level]);
         }
         stairs.push(at);
     }
     canvas.line("front", &stairs, Ink::Text, Stroke::solid(1.5));
-    let ideal: Vec<f32> = front.iter().map(|point| y(point.max_position_m)).collect();
-    for (point, level) in front.iter().zip(spread(&ideal, inner.top, bottom, LINE)) {
-        let at = [x(point.cost_us_per_s()), y(point.max_position_m)];
-        let elbow = [[at[0], at[1]], [right + 6.0, level], [NAMES_LEFT - 5.0, level]];
-        canvas.line("", &elbow, Ink::Grid, Stroke::solid(1.0));
-        canvas.dot(at, 4.0, ink(point));
-        let at = [NAMES_LEFT, level + 4.0];
-        canvas.text(at, &point.name(), Ink::Text, lettering(Anchor::Start));
+    for point in &front {
+        mark(canvas, at(point), 4.5, point.case);
+    }
+}
+
+/// A disc; a ring for single precision.
+fn mark(canvas: &mut impl Canvas, at: [f32; 2], radius: f32, case: Case) {
+    let ink = match case.method {
+        Method::Taylor(_) => Ink::North,
+        Method::Textbook => Ink::East,
+        Method::RungeKutta => Ink::Down,
+    };
+    canvas.dot(at, radius, ink);
+    if !case.arithmetic.is_double() {
+        canvas.dot(at, 0.55 * radius, Ink::Paper);
     }
 }
 
@@ -221,7 +238,7 @@ mod tests {
     #[test]
     fn the_picture_is_written() {
         let directory = tempfile::tempdir().expect("a folder");
-        write(&super::super::table::tests::points(), directory.path()).expect("writes");
+        write(&super::super::sample::points(), directory.path()).expect("writes");
         let png = std::fs::read(directory.path().join("frontier.png")).expect("is there");
         assert!(png.starts_with(b"\x89PNG"));
         let decoder = png::Decoder::new(std::io::Cursor::new(&png));

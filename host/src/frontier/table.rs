@@ -10,53 +10,6 @@ const DECADES: std::ops::RangeInclusive<i32> = -12..=7;
 /// Characters of a line.
 const WIDTH: usize = 108;
 
-/// The columns of `frontier.csv`. `window` is history,block,look-ahead, empty without one; `on_front`
-/// is per scene, by `ns_per_sample` × `rate_hz` and `max_position_m`.
-pub const COLUMNS: [&str; 13] = [
-    "scene",
-    "rate_hz",
-    "algorithm",
-    "window",
-    "frame",
-    "precision",
-    "math",
-    "ns_per_sample",
-    "ns_spread",
-    "max_position_m",
-    "max_velocity_m_s",
-    "max_attitude_arcsec",
-    "on_front",
-];
-
-/// All points, one a line; numbers round-trip.
-pub fn csv(points: &[Point]) -> Vec<u8> {
-    let mut lines = csv::Writer::from_writer(Vec::new());
-    let number = |x: f64| zmij::Buffer::new().format(x).to_owned();
-    let rows = points.iter().map(|p| {
-        [
-            p.scene.clone(),
-            p.rate_hz.to_string(),
-            p.case.algorithm().to_owned(),
-            p.case.window(),
-            p.case.frame.name().to_owned(),
-            p.case.arithmetic.name().to_owned(),
-            p.case.arithmetic.math().to_owned(),
-            number(p.ns_per_sample),
-            number(p.ns_spread),
-            number(p.max_position_m),
-            number(p.max_velocity_m_s),
-            number(p.max_attitude_arcsec),
-            p.on_front.to_string(),
-        ]
-    });
-    // Records of one length, to memory: neither can fail.
-    let _ = lines.write_record(COLUMNS);
-    for row in rows {
-        let _ = lines.write_record(row);
-    }
-    lines.into_inner().unwrap_or_default()
-}
-
 /// Points scene by scene, in the order in which scenes first occur.
 pub fn by_scene(points: &[Point]) -> Vec<Vec<&Point>> {
     let mut scenes: Vec<Vec<&Point>> = Vec::new();
@@ -183,70 +136,9 @@ fn error(quantity: Quantity, value: f64, digits: i32) -> String {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
+    use super::super::sample::points;
     use super::*;
-    use crate::frontier::case::Case;
-    use crate::frontier::front::mark;
-
-    /// A made-up measurement: times and errors in two scenes.
-    pub fn points() -> Vec<Point> {
-        let cases = Case::all();
-        let find = |name: &str| *cases.iter().find(|c| c.to_string() == name).expect(name);
-        let point = |scene: &str, name: &str, rate_hz: f64, ns: f64, error: f64| Point {
-            scene: scene.to_owned(),
-            duration_s: 100.0,
-            rate_hz,
-            case: find(name),
-            ns_per_sample: ns,
-            ns_spread: 0.5,
-            max_position_m: error,
-            max_velocity_m_s: error / 100.0,
-            max_attitude_arcsec: error * 10.0,
-            on_front: false,
-        };
-        let mut points = vec![
-            point("slow", "textbook local-level f64", 20.0, 70.0, 3.25e-4),
-            point("slow", "taylor 0,4,0 earth-fixed f64", 20.0, 60.0, 8e-9),
-            point("slow", "taylor 0,4,0 local-level f32", 10.0, 40.0, 0.12),
-            point("slow", "rk4 earth-fixed f64", 20.0, 200.0, f64::NAN),
-            point("fast", "taylor 2,4,2 earth-fixed f64-plain", 1000.0, 100.0, 1.5e3),
-        ];
-        mark(&mut points[..4]);
-        mark(&mut points[4..]);
-        points
-    }
-
-    #[test]
-    fn the_csv_is_as_promised() {
-        let text = String::from_utf8(csv(&points())).expect("text");
-        let lines: Vec<_> = text.lines().collect();
-        assert_eq!(
-            lines[0],
-            "scene,rate_hz,algorithm,window,frame,precision,math,ns_per_sample,ns_spread,\
-             max_position_m,max_velocity_m_s,max_attitude_arcsec,on_front"
-        );
-        assert_eq!(lines.len(), 6);
-        assert!(lines[1].starts_with("slow,20,textbook,,local-level,f64,libm,"), "{}", lines[1]);
-        assert!(lines[1].ends_with(",false"), "{}", lines[1]);
-        assert!(lines[2].starts_with("slow,20,taylor,\"0,4,0\",earth-fixed,f64,libm,"));
-        assert!(lines[4].starts_with("slow,20,rk4,,earth-fixed,f64,libm,"), "{}", lines[4]);
-        assert!(lines[4].contains(",NaN,NaN,NaN,false"), "{}", lines[4]);
-        let mut reader = csv::Reader::from_reader(text.as_bytes());
-        for (row, point) in reader.records().zip(points()) {
-            let row = row.expect("a row of 13");
-            for (column, value) in [
-                (1, point.rate_hz),
-                (7, point.ns_per_sample),
-                (8, point.ns_spread),
-                (9, point.max_position_m),
-                (10, point.max_velocity_m_s),
-                (11, point.max_attitude_arcsec),
-            ] {
-                let read: f64 = row[column].parse().expect(&row[column]);
-                assert!(read == value || (read.is_nan() && value.is_nan()), "{}", &row[column]);
-            }
-        }
-    }
 
     #[test]
     fn the_table_says_what_to_pick() {

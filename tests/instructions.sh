@@ -32,7 +32,7 @@ fi
 summaries=$(mktemp -d)
 trap 'rm -rf "$summaries"' EXIT
 # A home of its own: counts of an earlier run would be mixed into the summaries.
-GUNGRAUN_HOME="$summaries/home" cargo bench --quiet --locked --package schuler-tests \
+GUNGRAUN_HOME="$summaries/home" cargo bench --quiet --locked --package schuler-speed \
     --bench instructions -- --output-format=json >"$summaries/counts.json"
-cargo run --quiet --release --locked --package schuler-tests --bin instructions -- \
+cargo run --quiet --locked --package schuler-tests --bin instructions -- \
     "$@" tests/instructions.toml <"$summaries/counts.json"

@@ -161,7 +161,7 @@ mod tests {
     fn counts_come_from_callgrind() {
         let summary = r#"a line that is no summary
 {"function_name":"a","profiles":[{"tool":"Callgrind","data":{"total":{"metrics":{"Ir":{"values":{"new":960}}}}}}]}"#;
-        let measured = Baseline::measured(&summary, 96, "r", "t").expect("a summary");
+        let measured = Baseline::measured(summary, 96, "r", "t").expect("a summary");
         assert_eq!(measured.instructions_per_sample["a"], 10.0);
         let without = r#"{"function_name":"a","profiles":[]}"#;
         let error = Baseline::measured(without, 96, "r", "t").expect_err("no profile");

@@ -1,7 +1,6 @@
 //! What the tests share: scenes as streams of perfect samples, the bits of states, numbers to try.
 
 pub mod baseline;
-pub mod work;
 
 use schuler::drift::compare::drift;
 use schuler::math::compensated::Pair;

@@ -19,12 +19,14 @@ pub mod table;
 pub mod task;
 
 use crate::cli::FrontierArgs;
-use crate::output::{self, say};
+use crate::input::{Complaint, InputError};
+use crate::output::{OutputFile, say};
 use crate::progress::Progress;
 use crate::report::number::parameter;
 use crate::simulate::FlightError;
 use case::Case;
-use std::path::PathBuf;
+use std::io;
+use std::path::{Path, PathBuf};
 
 /// How often each case is timed.
 const PASSES: usize = 25;
@@ -84,6 +86,10 @@ pub struct LeftOut {
 /// Measures, writes `frontier.csv` and `frontier.png`, prints the table.
 pub fn frontier(args: &FrontierArgs) -> Result<(), FlightError> {
     let tasks = task::tasks(args)?;
+    let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join("frontier"));
+    // What cannot be written is found before the long work, not after it.
+    let table_file = OutputFile::create(directory.join("frontier.csv"))?;
+    let picture_file = OutputFile::create(directory.join("frontier.png"))?;
     let cases = Case::all();
     let passes = if args.quick { QUICK_PASSES } else { PASSES };
     let timed = |task: &task::Task| -> u64 {
@@ -107,12 +113,17 @@ pub fn frontier(args: &FrontierArgs) -> Result<(), FlightError> {
         front::mark(&mut points[begin..]);
     }
     progress.finish();
-    let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join("frontier"));
-    output::write(directory.join("frontier.csv"), csv::bytes(&points))?;
-    plot::write(&points, &directory)?;
+    table_file.fill(csv::bytes(&points))?;
+    picture_file.fill(plot::png(&points).map_err(|error| cannot_be_drawn(&directory, &error))?)?;
     let mut text = table::table(&points);
     text += &table::left_out(&tasks, &cases, &left_out);
     text += &format!("\nwritten to {}\n", directory.display());
     say(&text)?;
     Ok(())
+}
+
+fn cannot_be_drawn(directory: &Path, error: &io::Error) -> InputError {
+    let path = directory.join("frontier.png");
+    let complaint = Complaint::new(format!("cannot be drawn: {error}"), "");
+    InputError::file(&path.display().to_string(), complaint)
 }

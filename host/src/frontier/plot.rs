@@ -3,14 +3,12 @@
 use super::Point;
 use super::case::{Arithmetic, Case, Method};
 use super::table::{by_scene, front_of};
-use crate::input::{Complaint, InputError};
-use crate::output;
 use crate::report::canvas::{Anchor, Canvas, Ink, Lettering, Stroke};
 use crate::report::chart::Frame;
 use crate::report::number::{parameter, printed};
 use crate::report::raster::Raster;
 use crate::scene::{self, Precision, WindowShape};
-use std::path::Path;
+use std::io;
 
 const WIDTH: f32 = 1100.0;
 /// Where the names of the front stand, beside the drawing.
@@ -27,16 +25,13 @@ const LEAST_HEIGHT: f32 = 300.0;
 const LINE: f32 = 14.0;
 const SMALL: f32 = 11.0;
 
-/// Writes `frontier.png` into a directory.
-pub fn write(points: &[Point], directory: &Path) -> Result<(), InputError> {
-    let path = directory.join("frontier.png");
+/// The picture.
+pub fn png(points: &[Point]) -> io::Result<Vec<u8>> {
     let scenes = by_scene(points);
     let heights: Vec<f32> = scenes.iter().map(|scene| height(scene)).collect();
     let whole = TOP + heights.iter().map(|height| HEAD + height + FOOT).sum::<f32>();
-    let fault =
-        |what: String| InputError::file(&path.display().to_string(), Complaint::new(what, ""));
     let mut sheet = Raster::new(WIDTH as u32, whole.ceil() as u32)
-        .ok_or_else(|| fault("no picture of this size".to_owned()))?;
+        .ok_or_else(|| io::Error::other("no picture of this size"))?;
     legend(&mut sheet);
     let mut top = TOP;
     for (scene, height) in scenes.iter().zip(heights) {
@@ -44,8 +39,7 @@ pub fn write(points: &[Point], directory: &Path) -> Result<(), InputError> {
         panel(&mut sheet, scene, inner);
         top += HEAD + height + FOOT;
     }
-    let picture = sheet.png().map_err(|error| fault(format!("cannot be drawn: {error}")))?;
-    output::write(&path, picture)
+    sheet.png()
 }
 
 fn height(scene: &[&Point]) -> f32 {
@@ -236,12 +230,10 @@ mod tests {
     }
 
     #[test]
-    fn the_picture_is_written() {
-        let directory = tempfile::tempdir().expect("a folder");
-        write(&super::super::sample::points(), directory.path()).expect("writes");
-        let png = std::fs::read(directory.path().join("frontier.png")).expect("is there");
+    fn the_picture_has_a_panel_for_each_scene() {
+        let png = png(&super::super::sample::points()).expect("a picture");
         assert!(png.starts_with(b"\x89PNG"));
-        let decoder = png::Decoder::new(std::io::Cursor::new(&png));
+        let decoder = ::png::Decoder::new(io::Cursor::new(&png));
         let reader = decoder.read_info().expect("a picture");
         assert_eq!(reader.info().width, WIDTH as u32);
         assert_eq!(reader.info().height, (TOP + 2.0 * (HEAD + LEAST_HEIGHT + FOOT)) as u32);

@@ -1,14 +1,14 @@
 //! Compares Gungraun's summaries on standard input with the stored instruction counts, or stores them.
 //! `tests/instructions.sh` calls it.
 
+use schuler_speed::work::SAMPLES;
 use schuler_tests::baseline::Baseline;
-use schuler_tests::work::SAMPLES;
 use std::io::Read;
 use std::process::{Command, ExitCode};
 
 const HEAD: &str =
     "Instructions per sample on the paper's flight, block ends only, as Callgrind counts them
-(Gungraun, tests/benches/instructions.rs). CI compares within 2 %.
+(Gungraun, tests/speed/benches/instructions.rs). CI compares within 2 %.
 To store what is measured now: tests/instructions.sh --store";
 
 fn main() -> ExitCode {

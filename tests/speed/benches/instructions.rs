@@ -3,7 +3,7 @@
 #![allow(missing_docs)]
 
 use gungraun::prelude::*;
-use schuler_tests::work::*;
+use schuler_speed::work::*;
 
 macro_rules! benchmarks {
     ($($name:ident = $type:ident),+) => {
@@ -20,6 +20,6 @@ macro_rules! benchmarks {
     };
 }
 
-schuler_tests::for_each_work!(benchmarks);
+schuler_speed::for_each_work!(benchmarks);
 
 main!(library_benchmark_groups = per_sample);

@@ -7,7 +7,7 @@ use schuler::math::compensated::Pair;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::strapdown::gravitation::Latitude;
-use schuler_tests::work::*;
+use schuler_speed::work::*;
 use std::hint::black_box;
 
 /// Per sample, block ends only.
@@ -17,12 +17,12 @@ fn steps(criterion: &mut Criterion) {
     macro_rules! benchmarks {
         ($($name:ident = $type:ident),+) => {
             $(
-                let mut work = <$type as Work>::prepare();
+                let work = <$type as Work>::prepare();
                 group.bench_function(stringify!($name), |bencher| bencher.iter(|| work.run()));
             )+
         };
     }
-    schuler_tests::for_each_work!(benchmarks);
+    schuler_speed::for_each_work!(benchmarks);
     group.finish();
 }
 

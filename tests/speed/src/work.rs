@@ -1,5 +1,7 @@
 //! What is measured, by instructions and by time: a navigator under way, the making of samples.
 
+use crate::paper::{self, Course, RATE_HZ, Sensors};
+use schuler::imu::Quadrature;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::sample::Increment;
@@ -16,8 +18,6 @@ use schuler::strapdown::textbook::{
 };
 use schuler::strapdown::window::{H0B4A0, H2B4A2, Line8, Window};
 use schuler::trajectory::Trajectory as _;
-use schuler_host::scene::builtin;
-use schuler_host::source::Source;
 use std::hint::black_box;
 
 /// Samples that a measurement goes over: whole blocks of every window.
@@ -33,13 +33,42 @@ pub trait Work: Sized {
     fn run(&self);
 }
 
-/// A scene's motion and sensors.
-fn source(scene: &str) -> Source {
-    Source::new(&builtin::scene(scene).unwrap(), false).unwrap()
+/// The paper's motion with the quadrature of its rates.
+pub struct Perfect {
+    course: Course,
+    quadrature: Quadrature,
 }
 
-fn perfect(source: &Source, sample: u64) -> Increment<f64> {
-    source.perfect(source.time_s(sample - 1), source.time_s(sample))
+impl Perfect {
+    fn new() -> Self {
+        let course = paper::course().unwrap();
+        let quadrature = Quadrature::plan(course.bound().bandwidth, 1.0 / RATE_HZ);
+        Self { course, quadrature }
+    }
+
+    /// The perfect increment of a sample.
+    #[inline]
+    fn sample(&self, sample: u64) -> Increment<f64> {
+        let end = |sample| sample as f64 / RATE_HZ;
+        self.quadrature.increment(&self.course, end(sample - 1), end(sample))
+    }
+
+    fn initial(&self) -> Solution<f64> {
+        self.course.at(0.0).initial()
+    }
+}
+
+impl Work for Perfect {
+    fn prepare() -> Self {
+        Self::new()
+    }
+
+    #[inline(always)]
+    fn run(&self) {
+        for n in BEFORE + 1..=BEFORE + SAMPLES {
+            black_box(self.sample(n));
+        }
+    }
 }
 
 /// A navigator in the middle of the paper's flight, with the samples that come next.
@@ -50,11 +79,11 @@ pub struct Navigation<M: Mechanization> {
 }
 
 impl<M: Mechanization<Real: Scalar>> Navigation<M> {
-    fn new(source: &Source, mechanization: M) -> Self {
-        let initial = Solution::narrow(&source.motion(0).initial());
+    fn new(motion: &Perfect, mechanization: M) -> Self {
+        let initial = Solution::narrow(&motion.initial());
         let mut state = mechanization.start(&initial).unwrap();
         let mut carried = Carried::default();
-        let mut sample = |n| carried.narrow(&perfect(source, n));
+        let mut sample = |n| carried.narrow(&motion.sample(n));
         for n in 1..=BEFORE {
             mechanization.push(&mut state, sample(n)).unwrap();
         }
@@ -75,9 +104,8 @@ impl<M: Mechanization<Real: Scalar>> Navigation<M> {
 
 impl<F: TextbookFrame<Real: Scalar>> Work for Navigation<Textbook<F>> {
     fn prepare() -> Self {
-        let source = source("paper-perfect");
-        let interval_s = F::Real::narrow(1.0 / source.rate_hz());
-        Self::new(&source, Textbook::new(interval_s).unwrap())
+        let interval_s = F::Real::narrow(1.0 / RATE_HZ);
+        Self::new(&Perfect::new(), Textbook::new(interval_s).unwrap())
     }
 
     #[inline(always)]
@@ -89,12 +117,12 @@ impl<F: TextbookFrame<Real: Scalar>> Work for Navigation<Textbook<F>> {
 impl<F: Frame<Real: Scalar>, W: Window> Work for Navigation<Strapdown<F, W>> {
     /// With a series of the order that the plan chooses for the motion.
     fn prepare() -> Self {
-        let source = source("paper-perfect");
-        let interval_s = Pair::new(source.rate_hz()).reciprocal();
+        let motion = Perfect::new();
+        let interval_s = Pair::new(RATE_HZ).reciprocal();
         let block_s = W::BLOCK as f64 * interval_s.hi;
-        let order = plan::order(source.course.bound().angular_rate, block_s);
+        let order = plan::order(motion.course.bound().angular_rate, block_s);
         let strapdown = Strapdown::new(Pair::narrow(interval_s)).unwrap();
-        Self::new(&source, strapdown.with_order(order))
+        Self::new(&motion, strapdown.with_order(order))
     }
 
     #[inline(always)]
@@ -103,43 +131,24 @@ impl<F: Frame<Real: Scalar>, W: Window> Work for Navigation<Strapdown<F, W>> {
     }
 }
 
-/// Perfect increments of the paper's motion.
-pub struct Perfect(Source);
-
-impl Work for Perfect {
-    fn prepare() -> Self {
-        Self(source("paper-perfect"))
-    }
-
-    #[inline(always)]
-    fn run(&self) {
-        for n in BEFORE + 1..=BEFORE + SAMPLES {
-            black_box(perfect(&self.0, n));
-        }
-    }
-}
-
 /// The paper's sensors with all their error terms, fed with perfect increments.
 pub struct Emulation {
-    source: Source,
+    sensors: Sensors,
     perfect: Vec<Increment<f64>>,
 }
 
 impl Work for Emulation {
     fn prepare() -> Self {
-        let source = source("paper");
-        assert!(source.emulator.is_some());
-        let perfect = (1..=SAMPLES).map(|n| perfect(&source, n)).collect();
-        Self { source, perfect }
+        let motion = Perfect::new();
+        let perfect = (1..=SAMPLES).map(|n| motion.sample(n)).collect();
+        Self { sensors: paper::sensors().unwrap(), perfect }
     }
 
     #[inline(always)]
     fn run(&self) {
-        if let Some(emulator) = &self.source.emulator {
-            let mut state = emulator.start(1, 0);
-            for perfect in &self.perfect {
-                black_box(emulator.emulate(&mut state, perfect));
-            }
+        let mut state = self.sensors.start(1, 0);
+        for perfect in &self.perfect {
+            black_box(self.sensors.emulate(&mut state, perfect));
         }
     }
 }

@@ -71,7 +71,7 @@ fn bad_input_is_told_before_the_work_begins() {
         ("--scene long.toml --rate 100", ["--rate: with 100 Hz", "4294967295"]),
         ("--scene bad.toml", ["bad.toml:2:", "rate_hz"]),
         ("--scene hard --out taken", ["taken", "cannot be written"]),
-        ("hard", ["unexpected argument", "--scene"]),
+        ("hard", ["unexpected argument", "schuler frontier"]),
         ("--fast", ["--fast", "unexpected"]),
     ] {
         let done = frontier(folder.path(), arguments);

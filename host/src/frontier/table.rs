@@ -154,17 +154,17 @@ mod tests {
             (
                 picks[0],
                 "1 m  taylor 0,4,0 local-level f32 10 Hz ",
-                [" 40.0 ± 0.25 ", " 0.40 µs ", " 120 mm ", " 1.2 mm/s ", " 1.2 ″"],
+                [" 40.0 ± 0.2 ", " 0.40 µs ", " 120 mm ", " 1.2 mm/s ", " 1.2 ″"],
             ),
             (
                 picks[1],
                 "10 nm  taylor 0,4,0 earth-fixed f64 20 Hz ",
-                [" 60.0 ± 0.25 ", " 1.20 µs ", " 8.0 nm ", " 80 pm/s ", " 80 nas"],
+                [" 60.0 ± 0.2 ", " 1.20 µs ", " 8.0 nm ", " 80 pm/s ", " 80 nas"],
             ),
             (
                 lines[fast + 3],
-                "10 km  taylor 2,4,2 earth-fixed f64-plain 1000 Hz ",
-                [" 100 ± 0.25 ", " 100 µs ", " 1500 m ", " 15 m/s ", " 4.2 °"],
+                "10000 m  taylor 2,4,2 earth-fixed f64-plain 1000 Hz ",
+                [" 100 ± 0.2 ", " 100 µs ", " 1500 m ", " 15 m/s ", " 15000 ″"],
             ),
         ] {
             assert!(line.trim_start().starts_with(begin), "{line}");

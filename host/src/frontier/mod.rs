@@ -46,7 +46,7 @@ pub struct Point {
     pub case: Case,
     /// Median time per sample, ns.
     pub ns_per_sample: f64,
-    /// From the first to the ninth tenth of the times, ns per sample.
+    /// From the first to the third quartile of the times, ns per sample.
     pub ns_spread: f64,
     /// Largest position error, m.
     pub max_position_m: f64,

@@ -41,15 +41,12 @@ pub fn time(
     times.into_iter().map(median_and_spread).collect()
 }
 
-/// The median, and the distance from the first to the ninth tenth.
+/// The median, and the distance from the first to the third quartile.
 fn median_and_spread(mut times: Vec<f64>) -> (f64, f64) {
     times.sort_by(f64::total_cmp);
-    let at =
-        |tenths: usize| times.get((times.len() * tenths / 10).min(times.len().saturating_sub(1)));
-    match (at(1), at(5), at(9)) {
-        (Some(low), Some(median), Some(high)) => (*median, high - low),
-        _ => (f64::NAN, f64::NAN),
-    }
+    let last = times.len().saturating_sub(1);
+    let quartile = |n: usize| times.get((n * last + 2) / 4).copied().unwrap_or(f64::NAN);
+    (quartile(2), quartile(3) - quartile(1))
 }
 
 #[cfg(test)]
@@ -58,7 +55,7 @@ mod tests {
 
     #[test]
     fn median_and_spread_are_of_the_times() {
-        assert_eq!(median_and_spread((1..=25).rev().map(f64::from).collect()), (13.0, 20.0));
+        assert_eq!(median_and_spread((1..=25).rev().map(f64::from).collect()), (13.0, 12.0));
         assert_eq!(median_and_spread(vec![7.0]), (7.0, 0.0));
     }
 }

@@ -181,22 +181,22 @@ fn mark(canvas: &mut impl Canvas, at: [f32; 2], radius: f32, case: Case) {
     }
 }
 
-/// Levels from top to bottom, in order, each near its ideal and at least `gap` from the next.
+/// Levels from top to bottom, in order, at least `gap` apart and as near to their ideals as that allows
+/// in the mean square.
 fn spread(ideal: &[f32], top: f32, bottom: f32, gap: f32) -> Vec<f32> {
-    let mut levels = Vec::with_capacity(ideal.len());
-    let mut free = top;
-    for &level in ideal {
-        let level = level.max(free);
-        levels.push(level);
-        free = level + gap;
+    // Less i·gap they only must not fall: neighbours that would are pooled at their mean.
+    let mut pools: Vec<(f32, usize)> = Vec::new();
+    for (i, &level) in ideal.iter().enumerate() {
+        let mut pool = (level - gap * i as f32, 1);
+        while let Some((mean, count)) = pools.pop_if(|(mean, _)| *mean > pool.0) {
+            let all = count + pool.1;
+            pool = ((mean * count as f32 + pool.0 * pool.1 as f32) / all as f32, all);
+        }
+        pools.push(pool);
     }
-    // What ran out below is pushed up again.
-    let mut free = bottom;
-    for level in levels.iter_mut().rev() {
-        *level = level.min(free);
-        free = *level - gap;
-    }
-    levels
+    let lowest = (bottom - gap * ideal.len().saturating_sub(1) as f32).max(top);
+    let pooled = pools.into_iter().flat_map(|(mean, count)| std::iter::repeat_n(mean, count));
+    pooled.enumerate().map(|(i, mean)| mean.clamp(top, lowest) + gap * i as f32).collect()
 }
 
 #[cfg(test)]
@@ -213,6 +213,9 @@ mod tests {
             assert!(apart && inside, "{levels:?}");
         }
         assert_eq!(spread(&[10.0, 30.0], 0.0, 100.0, 14.0), [10.0, 30.0]);
+        // Crowded ones spread about their middle.
+        assert_eq!(spread(&[50.0, 50.0, 50.0], 0.0, 100.0, 14.0), [36.0, 50.0, 64.0]);
+        assert!(spread(&[], 0.0, 100.0, 14.0).is_empty());
     }
 
     #[test]

@@ -47,6 +47,14 @@ macro_rules! record_float {
 record_word!(u32, u64, usize);
 record_float!(f32, f64);
 
+#[cfg(feature = "micromath")]
+impl Record for crate::math::coarse::Coarse {
+    #[inline(always)]
+    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
+        self.0.record(name, visit);
+    }
+}
+
 macro_rules! record_fields {
     ($t:ident: $($field:ident),+) => {
         impl<T: Record> Record for $t<T> {

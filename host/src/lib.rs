@@ -4,6 +4,7 @@ pub mod cli;
 pub mod emulate;
 pub mod emulator;
 pub mod flight;
+pub mod frontier;
 pub mod gap;
 pub mod input;
 pub mod navigator;

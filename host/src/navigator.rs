@@ -13,7 +13,9 @@ use schuler::strapdown::frame::Output;
 use schuler::strapdown::local_level::LocalLevel;
 use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
+use schuler::strapdown::textbook::{
+    EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
+};
 use schuler::strapdown::window::*;
 
 /// Who reads rows: how many samples lie behind the row, and the navigation there.
@@ -150,16 +152,16 @@ pub fn start(
     let single = Pair::narrow(interval_s);
     let boxed = match (navigator.algorithm, navigator.precision, navigator.frame) {
         (Algorithm::Textbook, Precision::F64, Frame::LocalLevel) => {
-            Flying::boxed(Textbook::<LocalLevelTextbook<f64>>::new(interval_s.hi)?, initial)?
+            textbook::<LocalLevelTextbook<f64>>(interval_s.hi, initial)?
         }
         (Algorithm::Textbook, Precision::F64, Frame::EarthFixed) => {
-            Flying::boxed(Textbook::<EarthFixedTextbook<f64>>::new(interval_s.hi)?, initial)?
+            textbook::<EarthFixedTextbook<f64>>(interval_s.hi, initial)?
         }
         (Algorithm::Textbook, Precision::F32, Frame::LocalLevel) => {
-            Flying::boxed(Textbook::<LocalLevelTextbook<f32>>::new(single.hi)?, initial)?
+            textbook::<LocalLevelTextbook<f32>>(single.hi, initial)?
         }
         (Algorithm::Textbook, Precision::F32, Frame::EarthFixed) => {
-            Flying::boxed(Textbook::<EarthFixedTextbook<f32>>::new(single.hi)?, initial)?
+            textbook::<EarthFixedTextbook<f32>>(single.hi, initial)?
         }
         (Algorithm::Taylor, Precision::F64, Frame::LocalLevel) => {
             taylor::<LocalLevel<Pair<f64>>>(shape, order, interval_s, initial)?
@@ -207,6 +209,30 @@ where
     with_window!(F, shape, order, interval_s, initial;
         H0B2A0, H0B3A0, H0B4A0, H0B6A0, H2B2A0, H2B2A2, H2B4A0, H4B4A0, H2B4A2, H4B4A4, Line8,
         Parabola12, Parabola20, Parabola40)
+}
+
+/// The same with the few windows of arithmetics that are there to be compared with.
+pub(crate) fn taylor_compared<F>(
+    shape: WindowShape,
+    order: usize,
+    interval_s: Pair<F::Real>,
+    initial: &Solution<f64>,
+) -> Result<Box<dyn Navigate>, Unavailable>
+where
+    F: schuler::strapdown::frame::Frame<Real: Scalar> + Record + 'static,
+{
+    with_window!(F, shape, order, interval_s, initial; H0B4A0, H2B4A2, Line8)
+}
+
+/// A textbook navigator in a frame.
+pub(crate) fn textbook<F>(
+    interval_s: F::Real,
+    initial: &Solution<f64>,
+) -> Result<Box<dyn Navigate>, Unavailable>
+where
+    F: TextbookFrame<Real: Scalar> + Record + 'static,
+{
+    Ok(Flying::boxed(Textbook::<F>::new(interval_s)?, initial)?)
 }
 
 /// The local-level navigator in single precision with two-float products, whose windows are few.

@@ -59,6 +59,12 @@ impl OutputFile {
         &self.path
     }
 
+    /// Writes all that is to be in it and puts it in its place.
+    pub fn fill(mut self, content: impl AsRef<[u8]>) -> Result<(), InputError> {
+        self.write_all(content.as_ref()).map_err(|error| fault(&self.path, &error))?;
+        self.finish()
+    }
+
     /// Puts the file in its place.
     pub fn finish(self) -> Result<(), InputError> {
         let Self { path, to } = self;
@@ -100,9 +106,7 @@ pub fn say(text: &str) -> Result<(), InputError> {
 
 /// Writes a whole file at once.
 pub fn write(path: impl AsRef<Path>, content: impl AsRef<[u8]>) -> Result<(), InputError> {
-    let mut file = OutputFile::create(path)?;
-    file.write_all(content.as_ref()).map_err(|error| fault(&file.path, &error))?;
-    file.finish()
+    OutputFile::create(path)?.fill(content)
 }
 
 /// A CSV file of numbers, written row by row, each with the digits that bring back its bits.

@@ -1,7 +1,8 @@
 //! A bar for what takes more than a second; none where the output is no terminal.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::cell::OnceCell;
+use std::fmt::Write;
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
@@ -26,7 +27,7 @@ impl Progress {
     /// So many samples are done.
     pub fn reach(&self, sample: u64) {
         if self.wanted && sample.is_multiple_of(4096) && self.start.elapsed() > PATIENCE {
-            self.bar.get_or_init(|| bar(self.samples)).set_position(sample);
+            self.bar.get_or_init(|| bar(self.samples, self.start)).set_position(sample);
         }
     }
 
@@ -38,11 +39,17 @@ impl Progress {
     }
 }
 
-fn bar(samples: u64) -> ProgressBar {
+fn bar(samples: u64, start: Instant) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(samples), ProgressDrawTarget::stderr());
-    let template = "{bar:40} {percent:>3} % of {len} samples, {eta} left";
-    match ProgressStyle::with_template(template) {
-        Ok(style) => bar.with_style(style),
+    // By the mean pace since the start, which the bar itself has not seen.
+    let left = move |state: &ProgressState, to: &mut dyn Write| {
+        let fraction = f64::from(state.fraction().max(1e-6));
+        let left = start.elapsed().mul_f64((1.0 - fraction) / fraction);
+        // The bar's own buffer takes all.
+        let _ = write!(to, "{}", HumanDuration(left));
+    };
+    match ProgressStyle::with_template("{bar:40} {percent:>3} % of {len} samples, {left} left") {
+        Ok(style) => bar.with_style(style.with_key("left", left)),
         Err(_) => bar,
     }
 }

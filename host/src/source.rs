@@ -88,6 +88,11 @@ impl Source {
         self.constant.is_some()
     }
 
+    /// Samples per second.
+    pub fn rate_hz(&self) -> f64 {
+        self.rate_hz
+    }
+
     /// Nominal end of a sample, s; the start of the run is that of sample 0.
     pub fn time_s(&self, sample: u64) -> f64 {
         sample as f64 / self.rate_hz

@@ -1,5 +1,7 @@
 //! What the tests share: scenes as streams of perfect samples, the bits of states, numbers to try.
 
+pub mod baseline;
+
 use schuler::drift::compare::drift;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;

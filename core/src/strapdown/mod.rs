@@ -14,6 +14,7 @@ pub mod mechanization;
 pub mod meridian;
 pub mod navigator;
 pub mod plan;
+pub mod rk4;
 mod rows;
 mod stored;
 pub mod textbook;

@@ -40,6 +40,8 @@ pub enum Command {
     Emulate(EmulateArgs),
     /// Navigate a recorded stream
     Replay(ReplayArgs),
+    /// Measure run time against error
+    Frontier(FrontierArgs),
     /// List the built-in scenes
     #[command(after_help = "Example:\n  schuler scenes")]
     Scenes,
@@ -163,6 +165,25 @@ impl ReplayArgs {
         let what = format!("{until} s is not after navigation starts");
         Err(InputError::option("--until", Complaint::new(what, format!("seconds, above {begin}"))))
     }
+}
+
+/// Options of `frontier`.
+#[derive(Args, Clone, Debug, Default, PartialEq)]
+#[command(after_help = "Example:\n  schuler frontier --quick --scene paper-perfect --rate 20")]
+pub struct FrontierArgs {
+    /// A built-in scene or the path of a TOML file, whose motion is flown with perfect sensors; may be repeated
+    /// [default: paper-perfect, hard, manoeuvre, vibration, coning, stationary]
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Vec<String>,
+    /// Samples per second; may be repeated [default: of 5 to 1000, those that suit the scene]
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true, value_parser = options::rate_hz)]
+    pub rate: Vec<f64>,
+    /// Fly shorter scenes and repeat less
+    #[arg(long)]
+    pub quick: bool,
+    /// Folder for frontier.csv and frontier.png [default: out/frontier]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 fn load(name: Option<&str>) -> Result<Scene, InputError> {

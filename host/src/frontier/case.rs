@@ -1,0 +1,251 @@
+//! What is compared: algorithm and window, frame, precision, the source of functions.
+
+use super::rates::{NavigateRates, OnRates};
+use crate::navigator::{self, Navigate, Unavailable};
+use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
+use schuler::math::coarse::Coarse;
+use schuler::math::compensated::{Pair, Plain};
+use schuler::solution::Solution;
+use schuler::strapdown::earth_fixed::EarthFixed;
+use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::plan::{self, Shape};
+use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook};
+use schuler::strapdown::window::NAMED;
+use std::fmt;
+
+/// The windows of the arithmetics that are there to be compared with.
+pub const COMPARED: [Shape; 3] = [(0, 4, 0), (2, 4, 2), (0, 8, 0)];
+/// The windows to be had with two-float products.
+const TWO_FLOAT: [Shape; 4] = [(0, 4, 0), (4, 4, 0), (2, 4, 2), (4, 4, 4)];
+
+/// How samples are integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// Single plus previous sample.
+    Textbook,
+    /// A window of samples.
+    Taylor(WindowShape),
+    /// Classical Runge-Kutta on instantaneous rates; a step and a row for every two samples.
+    RungeKutta,
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Textbook => f.write_str(Algorithm::Textbook.name()),
+            Self::Taylor(WindowShape { history, block, lookahead }) => {
+                write!(f, "{} {history},{block},{lookahead}", Algorithm::Taylor.name())
+            }
+            Self::RungeKutta => f.write_str("rk4"),
+        }
+    }
+}
+
+/// Arithmetic, how the state is summed up, and where functions come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Arithmetic {
+    /// As `--precision` names it. Textbook and Runge-Kutta compensate nothing in any of them.
+    Named(Precision),
+    /// Double, sums without compensation.
+    PlainDouble,
+    /// Single, sums without compensation.
+    PlainSingle,
+    /// Single with micromath's rough functions.
+    Coarse,
+}
+
+impl Arithmetic {
+    /// Its name in the files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Named(precision) => precision.name(),
+            Self::PlainDouble => "f64-plain",
+            Self::PlainSingle => "f32-plain",
+            Self::Coarse => Precision::F32.name(),
+        }
+    }
+
+    /// Whether it is double precision.
+    pub fn is_double(self) -> bool {
+        matches!(self, Self::Named(Precision::F64) | Self::PlainDouble)
+    }
+
+    /// Where square roots and the functions of the start come from.
+    pub fn math(self) -> &'static str {
+        if self == Self::Coarse { "micromath" } else { "libm" }
+    }
+}
+
+/// One way to navigate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Case {
+    /// How samples are integrated.
+    pub method: Method,
+    /// Axes of the mechanization.
+    pub frame: Frame,
+    /// Arithmetic.
+    pub arithmetic: Arithmetic,
+}
+
+impl Case {
+    /// Every one that there is.
+    pub fn all() -> Vec<Self> {
+        use Arithmetic::{Coarse, Named, PlainDouble, PlainSingle};
+        let uncompensated = [Named(Precision::F64), Named(Precision::F32), Coarse];
+        let case = |method, frame| move |arithmetic| Self { method, frame, arithmetic };
+        let mut all: Vec<_> = uncompensated.map(case(Method::RungeKutta, Frame::EarthFixed)).into();
+        for &(_, frame) in Frame::NAMES {
+            all.extend(uncompensated.map(case(Method::Textbook, frame)));
+            for shape in NAMED {
+                let taylor = case(Method::Taylor((*shape).into()), frame);
+                all.extend([Named(Precision::F64), Named(Precision::F32)].map(taylor));
+                if COMPARED.contains(shape) {
+                    all.extend([PlainDouble, PlainSingle, Coarse].map(taylor));
+                }
+                if frame == Frame::LocalLevel && TWO_FLOAT.contains(shape) {
+                    all.push(taylor(Named(Precision::F32x2)));
+                }
+            }
+        }
+        all
+    }
+
+    /// The algorithm's name in the files.
+    pub fn algorithm(&self) -> &'static str {
+        match self.method {
+            Method::Textbook => Algorithm::Textbook.name(),
+            Method::Taylor(_) => Algorithm::Taylor.name(),
+            Method::RungeKutta => "rk4",
+        }
+    }
+
+    /// History, block and look-ahead as `--window` takes them; empty without a window.
+    pub fn window(&self) -> String {
+        match self.method {
+            Method::Taylor(WindowShape { history, block, lookahead }) => {
+                format!("{history},{block},{lookahead}")
+            }
+            Method::Textbook | Method::RungeKutta => String::new(),
+        }
+    }
+
+    /// Starts it, for a motion that turns by at most `angular_rate`, rad/s.
+    pub fn start(
+        &self,
+        rate_hz: f64,
+        angular_rate: f64,
+        initial: &Solution<f64>,
+    ) -> Result<Craft, Unavailable> {
+        let interval_s = Pair::new(rate_hz).reciprocal();
+        let (algorithm, shape) = match self.method {
+            Method::RungeKutta => return self.start_on_rates(interval_s.hi, initial),
+            Method::Textbook => (Algorithm::Textbook, plan::UNKNOWN.into()),
+            Method::Taylor(shape) => (Algorithm::Taylor, shape),
+        };
+        let order = plan::order(angular_rate, shape.block as f64 / rate_hz);
+        // Uncompensated, the interval too is one number.
+        let (double, single) = (Pair::new(interval_s.hi), Pair::new(interval_s.hi as f32));
+        let coarse = Pair::narrow(interval_s);
+        let navigator = match (self.arithmetic, algorithm, self.frame) {
+            (Arithmetic::Named(precision), ..) => {
+                let frame = self.frame;
+                let navigator = Navigator { algorithm, precision, frame, ..Default::default() };
+                navigator::start(&navigator, shape, order, interval_s, initial)
+            }
+            (Arithmetic::PlainDouble, _, Frame::LocalLevel) => {
+                navigator::taylor_compared::<LocalLevel<Plain<f64>>>(shape, order, double, initial)
+            }
+            (Arithmetic::PlainDouble, _, Frame::EarthFixed) => {
+                navigator::taylor_compared::<EarthFixed<Plain<f64>>>(shape, order, double, initial)
+            }
+            (Arithmetic::PlainSingle, _, Frame::LocalLevel) => {
+                navigator::taylor_compared::<LocalLevel<Plain<f32>>>(shape, order, single, initial)
+            }
+            (Arithmetic::PlainSingle, _, Frame::EarthFixed) => {
+                navigator::taylor_compared::<EarthFixed<Plain<f32>>>(shape, order, single, initial)
+            }
+            (Arithmetic::Coarse, Algorithm::Textbook, Frame::LocalLevel) => {
+                navigator::textbook::<LocalLevelTextbook<Coarse>>(coarse.hi, initial)
+            }
+            (Arithmetic::Coarse, Algorithm::Textbook, Frame::EarthFixed) => {
+                navigator::textbook::<EarthFixedTextbook<Coarse>>(coarse.hi, initial)
+            }
+            (Arithmetic::Coarse, Algorithm::Taylor, Frame::LocalLevel) => {
+                navigator::taylor_compared::<LocalLevel<Pair<Coarse>>>(
+                    shape, order, coarse, initial,
+                )
+            }
+            (Arithmetic::Coarse, Algorithm::Taylor, Frame::EarthFixed) => {
+                navigator::taylor_compared::<EarthFixed<Pair<Coarse>>>(
+                    shape, order, coarse, initial,
+                )
+            }
+        };
+        Ok(Craft::Increments(navigator?))
+    }
+
+    fn start_on_rates(
+        &self,
+        interval_s: f64,
+        initial: &Solution<f64>,
+    ) -> Result<Craft, Unavailable> {
+        let navigator: Box<dyn NavigateRates> = match self.arithmetic {
+            Arithmetic::Named(Precision::F64) | Arithmetic::PlainDouble => {
+                Box::new(OnRates::<f64>::new(interval_s, initial)?)
+            }
+            Arithmetic::Coarse => Box::new(OnRates::<Coarse>::new(interval_s, initial)?),
+            Arithmetic::Named(Precision::F32 | Precision::F32x2) | Arithmetic::PlainSingle => {
+                Box::new(OnRates::<f32>::new(interval_s, initial)?)
+            }
+        };
+        Ok(Craft::Rates(navigator))
+    }
+}
+
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {} {}", self.method, self.frame.name(), self.arithmetic.name())?;
+        match self.arithmetic {
+            Arithmetic::Coarse => write!(f, " {}", self.arithmetic.math()),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A case in flight.
+pub enum Craft {
+    /// On increments.
+    Increments(Box<dyn Navigate>),
+    /// On instantaneous rates.
+    Rates(Box<dyn NavigateRates>),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_has_a_name_of_its_own_and_starts() {
+        let all = Case::all();
+        let names: std::collections::HashSet<_> = all.iter().map(Case::to_string).collect();
+        assert_eq!(names.len(), all.len());
+        for name in [
+            "rk4 earth-fixed f32",
+            "textbook local-level f64",
+            "textbook earth-fixed f32 micromath",
+            "taylor 2,4,2 earth-fixed f64-plain",
+            "taylor 0,4,0 local-level f32x2",
+            "taylor 0,8,0 local-level f32 micromath",
+            "taylor 0,20,0 local-level f32",
+        ] {
+            assert!(names.contains(name), "{name}: {names:?}");
+        }
+        let scene = crate::scene::builtin::scene("hard").expect("built in");
+        let source = crate::source::Source::new(&scene, false).expect("built in");
+        let initial = source.motion(0).initial();
+        for case in all {
+            let started = case.start(100.0, 1.0, &initial);
+            assert!(started.is_ok(), "{case}");
+        }
+    }
+}

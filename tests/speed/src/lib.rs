@@ -1,0 +1,4 @@
+//! What benchmarks measure: the paper's flight, flown by each mechanization.
+
+pub mod paper;
+pub mod work;

@@ -7,6 +7,7 @@ pub mod flight;
 pub mod frontier;
 pub mod gap;
 pub mod input;
+pub mod lanes;
 pub mod navigator;
 pub mod output;
 pub mod plan;

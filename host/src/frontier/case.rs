@@ -8,9 +8,10 @@ use schuler::math::compensated::{Pair, Plain};
 use schuler::solution::Solution;
 use schuler::strapdown::earth_fixed::EarthFixed;
 use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::plan::{self, Shape};
+use schuler::strapdown::plan::{self, Digits, Flight, Shape};
 use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook};
 use schuler::strapdown::window::NAMED;
+use schuler::trajectory::Bound;
 use std::fmt;
 
 /// The windows of the arithmetics that are there to be compared with.
@@ -68,6 +69,15 @@ impl Arithmetic {
     /// Whether it is double precision.
     pub fn is_double(self) -> bool {
         matches!(self, Self::Named(Precision::F64) | Self::PlainDouble)
+    }
+
+    /// How many digits it has.
+    fn digits(self) -> Digits {
+        match self {
+            Self::Named(Precision::F64) | Self::PlainDouble => Digits::Double,
+            Self::Named(Precision::F32) | Self::PlainSingle | Self::Coarse => Digits::Single,
+            Self::Named(Precision::F32x2) => Digits::TwoFloat,
+        }
     }
 
     /// Where square roots and the functions of the start come from.
@@ -129,11 +139,11 @@ impl Case {
         }
     }
 
-    /// Starts it, for a motion that turns by at most `angular_rate`, rad/s.
+    /// Starts it, for a motion within bounds.
     pub fn start(
         &self,
         rate_hz: f64,
-        angular_rate: f64,
+        bound: Bound<f64>,
         initial: &Solution<f64>,
     ) -> Result<Craft, Unavailable> {
         let interval_s = Pair::new(rate_hz).reciprocal();
@@ -142,7 +152,14 @@ impl Case {
             Method::Textbook => (Algorithm::Textbook, plan::UNKNOWN.into()),
             Method::Taylor(shape) => (Algorithm::Taylor, shape),
         };
-        let order = plan::order(angular_rate, shape.block as f64 / rate_hz);
+        let flight = Flight {
+            bandwidth: bound.bandwidth,
+            angular_rate: bound.angular_rate,
+            interval_s: interval_s.hi,
+            digits: self.arithmetic.digits(),
+            earth_fixed: self.frame == Frame::EarthFixed,
+        };
+        let order = plan::order(&flight, (shape.history, shape.block, shape.lookahead));
         // Uncompensated, the interval too is one number.
         let (double, single) = (Pair::new(interval_s.hi), Pair::new(interval_s.hi as f32));
         let coarse = Pair::narrow(interval_s);
@@ -240,11 +257,12 @@ mod tests {
         ] {
             assert!(names.contains(name), "{name}: {names:?}");
         }
+        use schuler::trajectory::Trajectory as _;
         let scene = crate::scene::builtin::scene("hard").expect("built in");
         let source = crate::source::Source::new(&scene, false).expect("built in");
         let initial = source.motion(0).initial();
         for case in all {
-            let started = case.start(100.0, 1.0, &initial);
+            let started = case.start(100.0, source.course.bound(), &initial);
             assert!(started.is_ok(), "{case}");
         }
     }

@@ -71,8 +71,8 @@ pub fn measure(
 }
 
 fn start(source: &Source, case: &Case) -> Result<Craft, Unavailable> {
-    let angular_rate = source.course.bound().angular_rate;
-    case.start(source.rate_hz(), angular_rate, &source.motion(0).initial())
+    let bound = source.course.bound();
+    case.start(source.rate_hz(), bound, &source.motion(0).initial())
 }
 
 /// Flies all cases against the truth, shared out among the processors.

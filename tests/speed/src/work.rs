@@ -119,8 +119,15 @@ impl<F: Frame<Real: Scalar>, W: Window> Work for Navigation<Strapdown<F, W>> {
     fn prepare() -> Self {
         let motion = Perfect::new();
         let interval_s = Pair::new(RATE_HZ).reciprocal();
-        let block_s = W::BLOCK as f64 * interval_s.hi;
-        let order = plan::order(motion.course.bound().angular_rate, block_s);
+        let bound = motion.course.bound();
+        let flight = plan::Flight {
+            bandwidth: bound.bandwidth,
+            angular_rate: bound.angular_rate,
+            interval_s: interval_s.hi,
+            digits: plan::Digits::Double,
+            earth_fixed: true,
+        };
+        let order = plan::order(&flight, (W::HISTORY, W::BLOCK, W::LOOKAHEAD));
         let strapdown = Strapdown::new(Pair::narrow(interval_s)).unwrap();
         Self::new(&motion, strapdown.with_order(order))
     }

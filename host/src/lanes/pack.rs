@@ -1,0 +1,313 @@
+//! Four numbers, one of each run, that go through the same operations side by side.
+//!
+//! Every lane computes what a lone `f64` would, to the bit: IEEE 754 fixes the operations, and functions
+//! are `f64`'s own. [`Four`] is what any machine has, [`Avx2`] a vector register.
+
+use schuler::math::real::Real;
+use schuler::math::twin::Both;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// How many runs go side by side.
+pub const RUNS: usize = 4;
+
+/// A number of each run.
+pub trait Lanes: Real {
+    /// Whether this machine has what it takes.
+    fn is_available() -> bool;
+    /// From a number of each run.
+    fn from_lanes(lanes: [f64; RUNS]) -> Self;
+    /// The numbers of all runs.
+    fn lanes(self) -> [f64; RUNS];
+    /// Whether it is compiled for AVX2.
+    const AVX2: bool;
+}
+
+/// Four numbers in memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Four([f64; RUNS]);
+
+impl Four {
+    const fn all(x: f64) -> Self {
+        Self([x; RUNS])
+    }
+
+    #[inline(always)]
+    fn each(self, b: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (self.0, b.0);
+        Self([f(a0, b0), f(a1, b1), f(a2, b2), f(a3, b3)])
+    }
+}
+
+impl Lanes for Four {
+    const AVX2: bool = false;
+    fn is_available() -> bool {
+        true
+    }
+    #[inline(always)]
+    fn from_lanes(lanes: [f64; RUNS]) -> Self {
+        Self(lanes)
+    }
+    #[inline(always)]
+    fn lanes(self) -> [f64; RUNS] {
+        self.0
+    }
+}
+
+macro_rules! operators {
+    ($($op:ident $f:ident),+) => {
+        $(impl $op for Four {
+            type Output = Self;
+            #[inline(always)]
+            fn $f(self, b: Self) -> Self {
+                self.each(b, $op::$f)
+            }
+        })+
+    };
+}
+
+operators!(Add add, Sub sub, Mul mul, Div div);
+
+impl Neg for Four {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.each(self, |x, _| -x)
+    }
+}
+
+/// What both kinds do lane by lane in `f64`.
+macro_rules! functions {
+    () => {
+        #[inline(always)]
+        fn residual(literal: f64) -> Self {
+            Self::of(f64::residual(literal))
+        }
+        #[inline(always)]
+        fn entry(single: f32, double: f64) -> Self {
+            Self::of(f64::entry(single, double))
+        }
+        #[inline(always)]
+        fn count(n: u32) -> Self {
+            Self::of(f64::count(n))
+        }
+        fn ratio(numerator: i128, denominator: i128) -> Self {
+            Self::of(f64::ratio(numerator, denominator))
+        }
+        fn sin_cos(self) -> (Self, Self) {
+            let both = self.lanes().map(Real::sin_cos);
+            let part = |f: fn((f64, f64)) -> f64| Self::from_lanes(both.map(f));
+            (part(|(sine, _)| sine), part(|(_, cosine)| cosine))
+        }
+        fn atan2(self, x: Self) -> Self {
+            let (y, x) = (self.lanes(), x.lanes());
+            Self::from_lanes(std::array::from_fn(|run| Real::atan2(y[run], x[run])))
+        }
+        fn exp_m1(self) -> Self {
+            Self::from_lanes(self.lanes().map(Real::exp_m1))
+        }
+        fn ln(self) -> Self {
+            Self::from_lanes(self.lanes().map(Real::ln))
+        }
+        fn round(self) -> Self {
+            Self::from_lanes(self.lanes().map(Real::round))
+        }
+    };
+}
+
+impl Real for Four {
+    type Mask = [bool; RUNS];
+    type Twin = Both<Self>;
+    const ZERO: Self = Self::all(0.0);
+    const ONE: Self = Self::all(1.0);
+    const TWO: Self = Self::all(2.0);
+    const HALF: Self = Self::all(0.5);
+    const INVERSE: [Self; 24] = {
+        let mut table = [Self::all(0.0); 24];
+        let mut n = 1;
+        while n < 24 {
+            table[n] = Self::all(<f64 as Real>::INVERSE[n]);
+            n += 1;
+        }
+        table
+    };
+
+    functions!();
+
+    #[inline(always)]
+    fn of(literal: f64) -> Self {
+        Self::all(literal)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.each(self, |x, _| x.sqrt())
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.each(self, |x, _| x.abs())
+    }
+    #[inline(always)]
+    fn upper_half(self) -> Self {
+        self.each(self, |x, _| x.upper_half())
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> [bool; RUNS] {
+        std::array::from_fn(|run| self.0[run] < other.0[run])
+    }
+    #[inline(always)]
+    fn select(mask: [bool; RUNS], yes: Self, no: Self) -> Self {
+        Self(std::array::from_fn(|run| if mask[run] { yes.0[run] } else { no.0[run] }))
+    }
+    #[inline(always)]
+    fn any(mask: [bool; RUNS]) -> bool {
+        mask.contains(&true)
+    }
+    #[inline(always)]
+    fn is_within(self, bound: Self) -> bool {
+        (0..RUNS).all(|run| self.0[run].abs() <= bound.0[run])
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+pub use avx2::Avx2;
+
+/// Four numbers in a register.
+#[cfg(target_arch = "x86_64")]
+mod avx2 {
+    use super::*;
+    use std::arch::x86_64::*;
+    use std::fmt;
+
+    /// Four numbers in a 256-bit register. Only code that asked for the processor's AVX2 computes with it.
+    #[derive(Clone, Copy)]
+    pub struct Avx2(__m256d);
+
+    /// What `upper_half` keeps of an f64.
+    const UPPER_HALF: u64 = 0xffff_ffff_f800_0000;
+
+    /// Calls an intrinsic.
+    macro_rules! call {
+        ($f:ident $(::<$c:ident>)? ($($x:expr),*)) => {
+            // SAFETY: needs AVX, which `Unit` asks the processor for before anything computes with packs.
+            unsafe { $f$(::<$c>)?($($x),*) }
+        };
+    }
+
+    impl Avx2 {
+        /// At compile time; an array has the register's bytes.
+        const fn all(x: f64) -> Self {
+            // SAFETY: four f64 and a register of four f64 have the same size, and any bits are valid.
+            Self(unsafe { std::mem::transmute::<[f64; RUNS], __m256d>([x; RUNS]) })
+        }
+    }
+
+    impl Lanes for Avx2 {
+        const AVX2: bool = true;
+        fn is_available() -> bool {
+            is_x86_feature_detected!("avx2")
+        }
+        #[inline(always)]
+        fn from_lanes(lanes: [f64; RUNS]) -> Self {
+            // SAFETY: as in `all`.
+            Self(unsafe { std::mem::transmute::<[f64; RUNS], __m256d>(lanes) })
+        }
+        #[inline(always)]
+        fn lanes(self) -> [f64; RUNS] {
+            // SAFETY: as in `all`.
+            unsafe { std::mem::transmute::<__m256d, [f64; RUNS]>(self.0) }
+        }
+    }
+
+    impl Default for Avx2 {
+        #[inline(always)]
+        fn default() -> Self {
+            Self::all(0.0)
+        }
+    }
+
+    impl fmt::Debug for Avx2 {
+        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            self.lanes().fmt(f)
+        }
+    }
+
+    macro_rules! operators {
+        ($($op:ident $f:ident $intrinsic:ident),+) => {
+            $(impl $op for Avx2 {
+                type Output = Self;
+                #[inline(always)]
+                fn $f(self, b: Self) -> Self {
+                    Self(call!($intrinsic(self.0, b.0)))
+                }
+            })+
+        };
+    }
+
+    operators!(Add add _mm256_add_pd, Sub sub _mm256_sub_pd, Mul mul _mm256_mul_pd, Div div _mm256_div_pd);
+
+    impl Neg for Avx2 {
+        type Output = Self;
+        #[inline(always)]
+        fn neg(self) -> Self {
+            Self(call!(_mm256_xor_pd(self.0, Self::all(-0.0).0)))
+        }
+    }
+
+    /// All bits of a lane, or none.
+    #[derive(Clone, Copy)]
+    pub struct Mask(__m256d);
+
+    impl Real for Avx2 {
+        type Mask = Mask;
+        type Twin = Both<Self>;
+        const ZERO: Self = Self::all(0.0);
+        const ONE: Self = Self::all(1.0);
+        const TWO: Self = Self::all(2.0);
+        const HALF: Self = Self::all(0.5);
+        const INVERSE: [Self; 24] = {
+            let mut table = [Self::all(0.0); 24];
+            let mut n = 1;
+            while n < 24 {
+                table[n] = Self::all(<f64 as Real>::INVERSE[n]);
+                n += 1;
+            }
+            table
+        };
+
+        functions!();
+
+        #[inline(always)]
+        fn of(literal: f64) -> Self {
+            Self::all(literal)
+        }
+        #[inline(always)]
+        fn sqrt(self) -> Self {
+            Self(call!(_mm256_sqrt_pd(self.0)))
+        }
+        #[inline(always)]
+        fn abs(self) -> Self {
+            Self(call!(_mm256_andnot_pd(Self::all(-0.0).0, self.0)))
+        }
+        #[inline(always)]
+        fn upper_half(self) -> Self {
+            let mask = Self::all(f64::from_bits(UPPER_HALF));
+            Self(call!(_mm256_and_pd(self.0, mask.0)))
+        }
+        #[inline(always)]
+        fn less(self, other: Self) -> Mask {
+            Mask(call!(_mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0)))
+        }
+        #[inline(always)]
+        fn select(mask: Mask, yes: Self, no: Self) -> Self {
+            Self(call!(_mm256_blendv_pd(no.0, yes.0, mask.0)))
+        }
+        #[inline(always)]
+        fn any(mask: Mask) -> bool {
+            call!(_mm256_movemask_pd(mask.0)) != 0
+        }
+        #[inline(always)]
+        fn is_within(self, bound: Self) -> bool {
+            let within = call!(_mm256_cmp_pd::<_CMP_LE_OQ>(self.abs().0, bound.0));
+            call!(_mm256_movemask_pd(within)) == 0b1111
+        }
+    }
+}

@@ -18,11 +18,13 @@ prepare_target() {
 }
 
 # build_core TARGET FEATURES
-build_core() {
+build_core() { build_package "$1" "$2" --package schuler --no-default-features; }
+
+# build_package TARGET FEATURES [OPTION …]: the package of this directory.
+build_package() {
     target=$1
     prepare_target || true
-    local arguments=(build --release --locked --package schuler --target "$target"
-        --no-default-features --features "$2")
+    local arguments=(build --release --locked --target "$target" --features "$2" "${@:3}")
     if rustc --print target-libdir --target "$target" 2>/dev/null | xargs -r test -d; then
         cargo "${arguments[@]}"
     elif [ -x /usr/bin/cargo ] && [ -x /usr/bin/rustc ]; then

@@ -68,10 +68,11 @@ impl<R: Real, const K: usize> Fit<R, K> {
             fit.force[k] = velocity_b;
         }
         let mut sum = none;
-        for pair in &sums[history.min(half)..half] {
+        for pair in sums.iter().take(half).skip(history) {
             sum = each(sum, *pair, |sum, x| sum + x);
         }
-        for sample in &samples[half.max(history)..(history + block).min(P - half)] {
+        let ends = (history + block).min(P - half);
+        for sample in samples.iter().take(ends).skip(half.max(history)) {
             sum = each(sum, sample.twins(), |sum, x| sum + x);
         }
         (fit, Increment::from_twins(sum))

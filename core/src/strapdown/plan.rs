@@ -78,17 +78,18 @@ pub const HIGHEST_ORDER: usize = 20;
 
 /// The order of a block's series that reaches the rounding floor, at most: a window may have fewer terms.
 pub fn order(flight: &Flight, (history, block, lookahead): Shape) -> usize {
-    // The first products that order 3 leaves out turn what changes by x³/4! of the force by w: w the
+    // The products that an order leaves out turn what changes by xᵐ/(m + 1)! of the force by w: w the
     // rotation over half the block, x the phase of the fastest motion.
     let half_s = 0.5 * block as f64 * flight.interval_s;
     let w = half_s * flight.angular_rate;
     let x = w.max(half_s * flight.bandwidth);
-    let floor = if flight.digits == Digits::Single { 1e-10 } else { 3e-14 };
-    if w * x * x * x / 24.0 <= floor {
+    let rest = |order: usize| (1..=order).fold(w, |rest, m| rest * x / (m + 1) as f64);
+    // The products with the fit's last coefficient are the last that count, unless motion is violent.
+    let whole = history + block + lookahead + 1;
+    if rest(3) <= if flight.digits == Digits::Single { 1e-10 } else { 3e-14 } {
         3
-    } else if w <= 0.2 && x <= 0.6 {
-        // The products with the fit's last coefficient are the last that count.
-        history + block + lookahead + 1
+    } else if rest(whole) <= 1e-10 {
+        whole
     } else {
         HIGHEST_ORDER
     }

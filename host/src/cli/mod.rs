@@ -40,6 +40,8 @@ pub enum Command {
     Emulate(EmulateArgs),
     /// Navigate a recorded stream
     Replay(ReplayArgs),
+    /// Run the table of numerical stability, each row against its bound
+    Stress(StressArgs),
     /// List the built-in scenes
     #[command(after_help = "Example:\n  schuler scenes")]
     Scenes,
@@ -163,6 +165,21 @@ impl ReplayArgs {
         let what = format!("{until} s is not after navigation starts");
         Err(InputError::option("--until", Complaint::new(what, format!("seconds, above {begin}"))))
     }
+}
+
+/// Options of `stress`.
+#[derive(Args, Clone, Debug, Default, PartialEq)]
+#[command(after_help = "Examples:\n  schuler stress\n  schuler stress --full --case coning --out out/stress")]
+pub struct StressArgs {
+    /// The long cases, too: some ten minutes
+    #[arg(long)]
+    pub full: bool,
+    /// Only the cases with this in their name
+    #[arg(long, value_name = "NAME")]
+    pub case: Option<String>,
+    /// Folder for stress.csv
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 fn load(name: Option<&str>) -> Result<Scene, InputError> {

@@ -1,0 +1,381 @@
+//! Numbers: zeros of both signs, subnormals, no rotation at all, and what must be refused.
+
+use super::case::{Case, Check, Outcome};
+use super::floor;
+use super::flown::built_in;
+use crate::navigator::{self, Navigate, Unavailable};
+use crate::progress::CaseProgress;
+use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
+use crate::source::Source;
+use crate::units::{ARCSECOND, DEGREE};
+use schuler::drift::compare::drift;
+use schuler::earth::{self, Geodetic, ROTATION_RATE};
+use schuler::math::compensated::Pair;
+use schuler::math::quaternion::Quaternion;
+use schuler::math::vector::Vector;
+use schuler::sample::Increment;
+use schuler::solution::{Euler, Solution};
+use schuler::strapdown::mechanization::{MOST_TURN, Rejected, StartError};
+use schuler::strapdown::plan;
+use schuler::strapdown::window::NAMED;
+
+const GROUP: &str = "numbers";
+/// The least positive number.
+const SUBNORMAL: f64 = 5e-324;
+
+/// The group's cases.
+pub fn cases() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+        let name = frame.name();
+        let mut add = |what: &str, run: fn(Frame, &CaseProgress) -> Outcome| {
+            cases.push(Case::new(GROUP, format!("{what}, {name}"), move |p| run(frame, p)));
+        };
+        add("±0 and subnormals for zeros", |frame, _| zeros(frame));
+        add("no rotation at all", no_rotation);
+        add("a start of subnormals", |frame, _| subnormal_start(frame));
+        add("attitudes far from unit", |frame, _| attitudes(frame));
+        add("starts that cannot be right", |frame, _| starts(frame));
+    }
+    cases.push(Case::new(GROUP, "zeros on every input", |_| free_fall()));
+    cases.push(Case::new(GROUP, "samples that cannot be right, every navigator", |p| refused(p)));
+    cases.push(Case::new(GROUP, "a block that turns too far", |_| too_far()));
+    cases
+}
+
+fn navigator(frame: Frame) -> Navigator {
+    Navigator { frame, ..Navigator::default() }
+}
+
+/// 100 Hz with eight samples about the block.
+fn start(frame: Frame, initial: &Solution<f64>) -> Result<Box<dyn Navigate>, Unavailable> {
+    let (window, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
+    navigator::start(&navigator(frame), window, order, Pair::new(100.0).reciprocal(), initial)
+}
+
+fn at(latitude: f64, altitude: f64, attitude: Euler<f64>) -> Solution<f64> {
+    let position = Geodetic { latitude, longitude: 0.5, altitude };
+    Solution::new(position, Vector::ZERO, attitude)
+}
+
+const TILTED: Euler<f64> = Euler { roll: 0.1, pitch: -0.2, yaw: 0.7 };
+
+/// The end of a flight, from increments by their number, from 1.
+fn fly(
+    frame: Frame,
+    initial: &Solution<f64>,
+    samples: u64,
+    increment: &dyn Fn(u64) -> Increment<f64>,
+) -> Result<Solution<f64>, String> {
+    let mut flying = start(frame, initial).map_err(|error| error.to_string())?;
+    let mut end = *initial;
+    for n in 1..=samples {
+        let taken = flying.push(&increment(n), &mut |_, row| end = *row);
+        taken.map_err(|why| format!("sample {n}: {why}"))?;
+    }
+    flying.finish(&mut |_, row| end = *row);
+    Ok(end)
+}
+
+/// The largest difference of any coordinate.
+fn apart(a: &Solution<f64>, b: &Solution<f64>) -> f64 {
+    let numbers = |s: &Solution<f64>| {
+        let (p, v, q) = (s.position, s.velocity_ned, s.attitude);
+        [p.latitude, p.longitude, p.altitude, v.x, v.y, v.z, q.w, q.v.x, q.v.y, q.v.z]
+    };
+    let pairs = numbers(a).into_iter().zip(numbers(b));
+    let difference = |(a, b): (Pair<f64>, Pair<f64>)| ((a.hi - b.hi) + (a.lo - b.lo)).abs();
+    pairs.map(difference).fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
+}
+
+/// Input of −0, of ±5e-324 and of mixed signs does what input of 0 does.
+fn zeros(frame: Frame) -> Outcome {
+    let initial = at(0.7, 3000.0, TILTED);
+    let end = |zero: &dyn Fn(u64) -> f64| {
+        let axes = |n| Vector::new(zero(3 * n), zero(3 * n + 1), zero(3 * n + 2));
+        fly(frame, &initial, 1000, &|n| Increment { angle_b: axes(n), velocity_b: axes(n + 7) })
+    };
+    let zero = end(&|_| 0.0)?;
+    let mut checks = Vec::new();
+    let signs = |x: f64| move |n: u64| if n.is_multiple_of(2) { x } else { -x };
+    for (what, x) in [("±0", 0.0), ("±5e-324", SUBNORMAL), ("±1e-310", 1e-310)] {
+        let measured = apart(&end(&signs(x))?, &zero);
+        // 3000 roundings of a number that small, scaled by nothing above 10⁷.
+        let why = "what is that small adds up to nothing";
+        checks.push(Check::at_most(what, 1e-290, measured, "SI", why));
+    }
+    Ok(checks)
+}
+
+/// Nothing pulls but gravitation: the two frames, which share no equation of motion, fall alike.
+fn free_fall() -> Outcome {
+    let initial = at(0.7, 100e3, TILTED);
+    let nothing = |_| Increment::default();
+    let local = fly(Frame::LocalLevel, &initial, 6000, &nothing)?;
+    let earth = fly(Frame::EarthFixed, &initial, 6000, &nothing)?;
+    let off = drift(&local, &earth);
+    // ½gt² less its decrease aloft and the Earth's turning away, to a thousandth of itself.
+    let fallen = initial.position.altitude.hi - local.position.altitude.hi;
+    let expected = 0.5 * earth::gravity(0.7_f64.sin(), 91e3) * 3600.0;
+    let why = "both frames stand on the floor";
+    let attitude_arcsec = floor::attitude_arcsec(2.0 * floor::POSITION_M, 0.0);
+    Ok(vec![
+        Check::at_most(
+            "frames apart",
+            2.0 * floor::POSITION_M,
+            off.position_ned.norm(),
+            "m",
+            why,
+        ),
+        Check::at_most(
+            "attitudes apart",
+            attitude_arcsec,
+            off.attitude_ned.norm() / ARCSECOND,
+            "arcsec",
+            why,
+        ),
+        Check::at_most(
+            "off ½gt²",
+            0.2,
+            100.0 * (fallen / expected - 1.0).abs(),
+            "%",
+            "γ at the mean height of the fall; its curvature and Coriolis add 0.1 %",
+        ),
+    ])
+}
+
+/// The gyro reads exactly 0 all the time: the body stands still among the stars and its case on the
+/// Earth, so that the force it feels turns backwards about the Earth's axis. All of it in closed form.
+fn no_rotation(frame: Frame, progress: &CaseProgress) -> Outcome {
+    const SAMPLES: u64 = 180_000;
+    let (interval_s, latitude, altitude) = (0.01, 0.7_f64, 1000.0);
+    let initial = at(latitude, altitude, TILTED);
+    let to_body = initial.attitude.map(|c| c.hi).conjugate().matrix(1.0);
+    let (sine, cosine) = latitude.sin_cos();
+    let axis = to_body * Vector::new(cosine, 0.0, -sine);
+    let force = to_body * Vector::new(0.0, 0.0, -earth::gravity(sine, altitude));
+    let along = axis * axis.dot(force);
+    let across = force - along;
+    // ∫R(p, ωt)f dt = f∥h + (2/ω)sin ½ωh (f⊥ cos ωt_m + p × f⊥ sin ωt_m)
+    let chord = 2.0 * (0.5 * ROTATION_RATE * interval_s).sin() / ROTATION_RATE;
+    let increment = |n: u64| {
+        progress.reach(n, SAMPLES);
+        let (s, c) = (ROTATION_RATE * interval_s * (n as f64 - 0.5)).sin_cos();
+        let turned = across * c + axis.cross(across) * s;
+        Increment { angle_b: Vector::ZERO, velocity_b: along * interval_s + turned * chord }
+    };
+    let end = fly(frame, &initial, SAMPLES, &increment)?;
+    // Against north, east and down it has turned by −ωt about the axis.
+    let turn = -ROTATION_RATE * interval_s * SAMPLES as f64;
+    let (half_sine, half_cosine) = (0.5 * turn).sin_cos();
+    let axis_ned = Vector::new(cosine, 0.0, -sine);
+    let turned = Quaternion::new(half_cosine, axis_ned * half_sine).map(Pair::new);
+    let mut truth = initial;
+    truth.attitude = turned * initial.attitude;
+    let off = drift(&end, &truth);
+    // The interval of 0.01 s is rounded here and exact there: 2e-17 of it, nothing beside the floor.
+    Ok(vec![
+        Check::at_most(
+            "position",
+            floor::POSITION_M,
+            off.position_ned.norm(),
+            "m",
+            floor::POSITION_WHY,
+        ),
+        Check::at_most(
+            "attitude",
+            floor::attitude_arcsec(floor::POSITION_M, 0.0),
+            off.attitude_ned.norm() / ARCSECOND,
+            "arcsec",
+            floor::ATTITUDE_WHY,
+        ),
+    ])
+}
+
+/// A latitude, a height and speeds of 5e-324 stay what they are: nothing.
+fn subnormal_start(frame: Frame) -> Outcome {
+    let at = |x: f64| {
+        let position = Geodetic { latitude: x, longitude: -x, altitude: x };
+        let attitude = Euler { roll: x, pitch: -x, yaw: x };
+        Solution::new(position, Vector::new(x, -x, x), attitude)
+    };
+    let pull = earth::gravity(0.0, 0.0) * 0.01;
+    let rest = |_| Increment {
+        angle_b: Vector::new(ROTATION_RATE * 0.01, 0.0, 0.0),
+        velocity_b: Vector::new(0.0, 0.0, -pull),
+    };
+    let exact = fly(frame, &at(0.0), 6000, &rest)?;
+    let subnormal = fly(frame, &at(SUBNORMAL), 6000, &rest)?;
+    let why = "what is that small adds up to nothing";
+    Ok(vec![
+        Check::at_most("apart", 1e-290, apart(&subnormal, &exact), "SI", why),
+        Check::at_most(
+            "position",
+            floor::POSITION_M,
+            drift(&subnormal, &at(0.0)).position_ned.norm(),
+            "m",
+            floor::POSITION_WHY,
+        ),
+    ])
+}
+
+/// To a thousandth an attitude is brought to unit length, beyond it is refused.
+fn attitudes(frame: Frame) -> Outcome {
+    let scaled = |factor: f64| {
+        let mut initial = at(0.7, 1000.0, TILTED);
+        initial.attitude = initial.attitude.map(|c| c * Pair::new(factor));
+        initial
+    };
+    let mut wrong = 0;
+    for factor in [0.0, SUBNORMAL, 0.5, 0.998, 1.002, 1.1, -3.0, 1e150, f64::MAX, f64::NAN] {
+        let refused = matches!(
+            start(frame, &scaled(factor)).map(|_| ()),
+            Err(Unavailable::Start(StartError::Attitude))
+        );
+        wrong += u64::from(!refused);
+    }
+    let pull = Vector::new(0.0, 0.0, -0.098);
+    let samples = |_| Increment { angle_b: Vector::new(1e-3, 0.0, 0.0), velocity_b: pull };
+    let unit = fly(frame, &scaled(1.0), 1000, &samples)?;
+    let mut most: f64 = 0.0;
+    for factor in [0.9995, 1.0005, -1.0] {
+        let end = fly(frame, &scaled(factor), 1000, &samples)?;
+        most = most.max(drift(&end, &unit).position_ned.norm());
+    }
+    let why = "within a thousandth a start is brought to unit length, else refused";
+    Ok(vec![
+        Check::never("not refused", wrong, why),
+        // Three Newton steps reach the rounding of a two-float product.
+        Check::at_most("position apart", floor::POSITION_M, most, "m", why),
+    ])
+}
+
+/// Numbers that no coordinate can be.
+const IMPOSSIBLE: [f64; 5] = [f64::MAX, f64::MIN, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+/// A number of a start, and what is said where it cannot be.
+fn slot(start: &mut Solution<f64>, field: usize) -> Option<(&mut Pair<f64>, StartError)> {
+    let (p, v, q) = (&mut start.position, &mut start.velocity_ned, &mut start.attitude);
+    let place = [&mut p.latitude, &mut p.longitude, &mut p.altitude].map(|x| (x, StartError::Position));
+    let speed = v.each_mut().map(|x| (x, StartError::Velocity));
+    let attitude = q.each_mut().map(|x| (x, StartError::Attitude));
+    place.into_iter().chain(speed).chain(attitude).nth(field)
+}
+
+/// Every number of a start in turn.
+fn starts(frame: Frame) -> Outcome {
+    let mut wrong = 0;
+    for x in IMPOSSIBLE {
+        let good = at(0.7, 1000.0, TILTED);
+        for field in 0..10 {
+            let mut bad = good;
+            let expected = match slot(&mut bad, field) {
+                Some((slot, expected)) => {
+                    *slot = Pair::new(x);
+                    expected
+                }
+                None => break,
+            };
+            let refused = start(frame, &bad).map(|_| ());
+            wrong += u64::from(refused != Err(Unavailable::Start(expected)));
+        }
+    }
+    Ok(vec![Check::never("not refused", wrong, "a typed error for every number of a start")])
+}
+
+/// Every navigator there is: algorithm, precision, frame and window.
+fn every_navigator() -> Vec<(Navigator, WindowShape)> {
+    let mut all = Vec::new();
+    for &(_, frame) in Frame::NAMES {
+        for &(_, precision) in Precision::NAMES {
+            for &(_, algorithm) in Algorithm::NAMES {
+                for &shape in NAMED {
+                    let navigator = Navigator { frame, precision, algorithm, ..navigator(frame) };
+                    all.push((navigator, shape.into()));
+                    if algorithm == Algorithm::Textbook {
+                        break;
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Impossible numbers on each input between good samples: each refused by its kind, and the digest over
+/// every state afterwards that of a flight without them.
+fn refused(progress: &CaseProgress) -> Outcome {
+    let scene = built_in("manoeuvre", |scene| scene.duration_s = 1.0)?;
+    let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
+    let initial = source.motion(0).initial();
+    let interval_s = Pair::new(scene.rate_hz).reciprocal();
+    let (mut wrong, mut moved, mut flown) = (0, 0, 0);
+    let all = every_navigator();
+    for (n, (navigator, window)) in all.iter().enumerate() {
+        progress.reach(n as u64, all.len() as u64);
+        let start = || navigator::start(navigator, *window, 14, interval_s, &initial);
+        let mut disturbed = match start() {
+            Ok(flying) => flying,
+            // Two-float products are not to be had everywhere.
+            Err(Unavailable::TwoFloat | Unavailable::Window(_)) => continue,
+            Err(error) => return Err(error.to_string()),
+        };
+        let mut undisturbed = start().map_err(|error| error.to_string())?;
+        flown += 1;
+        for n in 1..=scene.samples() {
+            let good = source.perfect(source.time_s(n - 1), source.time_s(n));
+            let x = IMPOSSIBLE[n as usize % IMPOSSIBLE.len()];
+            for input in 0..6 {
+                let mut bad = good;
+                let expected = if input < 3 { Rejected::Angle } else { Rejected::Velocity };
+                let vector = if input < 3 { &mut bad.angle_b } else { &mut bad.velocity_b };
+                for (axis, slot) in vector.each_mut().into_iter().enumerate() {
+                    if axis == input % 3 {
+                        *slot = x;
+                    }
+                }
+                let taken = disturbed.push(&bad, &mut |_, _| ());
+                wrong += u64::from(taken != Err(expected));
+            }
+            let push = |flying: &mut Box<dyn Navigate>| {
+                let taken = flying.push(&good, &mut |_, _| ());
+                taken.map_err(|why| format!("sample {n}: {why}"))
+            };
+            push(&mut disturbed)?;
+            push(&mut undisturbed)?;
+        }
+        disturbed.finish(&mut |_, _| ());
+        undisturbed.finish(&mut |_, _| ());
+        moved += u64::from(disturbed.digest() != undisturbed.digest());
+    }
+    let why = "what cannot be right is refused by its kind, and no bit of the state moves";
+    Ok(vec![
+        Check::at_least("navigators", 50.0, f64::from(flown), "", "every one that there is"),
+        Check::never("not refused", wrong, why),
+        Check::never("state moved", moved, why),
+    ])
+}
+
+/// 3600 °/s at 100 Hz are 2.5 rad in a block of four, which no series of a block's length is for.
+fn too_far() -> Outcome {
+    let turn = 3600.0 * DEGREE * 0.01;
+    let sample = |angle: f64| Increment {
+        angle_b: Vector::new(0.0, angle, 0.0),
+        velocity_b: Vector::new(0.0, 0.0, -0.098),
+    };
+    let mut wrong = 0;
+    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+        let initial = at(0.7, 1000.0, TILTED);
+        let mut flying = start(frame, &initial).map_err(|error| error.to_string())?;
+        let limit = MOST_TURN / 4.0;
+        for (angle, expected) in [
+            (turn, Err(Rejected::Angle)),
+            (-turn, Err(Rejected::Angle)),
+            (limit.next_up(), Err(Rejected::Angle)),
+            (limit, Ok(())),
+        ] {
+            wrong += u64::from(flying.push(&sample(angle), &mut |_, _| ()) != expected);
+        }
+    }
+    Ok(vec![Check::never("not refused", wrong, "a block turns by at most 2 rad about an axis")])
+}

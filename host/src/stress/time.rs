@@ -1,0 +1,276 @@
+//! Time: days of rounding, the free vertical channel, step sizes, jitter and loss.
+
+use super::case::{Case, Check, Outcome};
+use super::floor::{self, UNIT};
+use super::flown::{built_in, fly, scene, watch};
+use crate::progress::CaseProgress;
+use crate::scene::{Frame, Gap, Precision, Scene, Vertical, WindowShape};
+use crate::simulate::{self, FlightError};
+use crate::source::Source;
+use crate::units::{ARCSECOND, DEGREE};
+use schuler::earth::{EQUATORIAL_GRAVITY, ROTATION_RATE, SEMI_MAJOR_AXIS};
+use schuler::math::vector::Vector;
+use schuler::sample::Increment;
+use std::f64::consts::TAU;
+
+const GROUP: &str = "time";
+const DAY_S: f64 = 86400.0;
+const FRAMES: [Frame; 2] = [Frame::LocalLevel, Frame::EarthFixed];
+
+/// The paper's harmonics: 5° every 7200 s, and how fast its vertical turns at most, rad/s: the Earth's
+/// rate and 600 m/s.
+const PAPER_PERIOD_S: f64 = 7200.0;
+const PAPER_SWING: f64 = 5.0 * DEGREE;
+const PAPER_VERTICAL_RATE: f64 = ROTATION_RATE + 600.0 / SEMI_MAJOR_AXIS;
+
+/// Four samples to a block, so that a block's length is known.
+const FOUR: WindowShape = WindowShape { history: 0, block: 4, lookahead: 0 };
+
+/// The group's cases.
+pub fn cases() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for frame in FRAMES {
+        let name = frame.name();
+        for (days, long) in [(1.0, false), (30.0, true)] {
+            let mut add = |what: &str, run: fn(Frame, f64, &CaseProgress) -> Outcome| {
+                let case = Case::new(GROUP, format!("{days} d {what}, {name}"), move |progress| {
+                    run(frame, days, progress)
+                });
+                cases.push(if long { case.long() } else { case });
+            };
+            add("at rest, vertical held", rest);
+            add("of the paper's motion, held", paper);
+        }
+        cases.push(Case::new(GROUP, format!("free vertical off by 1 mm, {name}"), move |p| {
+            off_by_a_millimetre(frame, p)
+        }));
+        cases.push(Case::new(GROUP, format!("free vertical, {name}"), move |p| {
+            perfect_start(frame, p)
+        }));
+        for (rate_hz, duration_s) in
+            [(1000.0, 300.0), (100.0, 1800.0), (10.0, 1800.0), (2.0, 1800.0), (1.0, 1800.0)]
+        {
+            let step_s = 1.0 / rate_hz;
+            cases.push(Case::new(GROUP, format!("paper at steps of {step_s} s, {name}"), move |p| {
+                steps(frame, rate_hz, duration_s, p)
+            }));
+        }
+    }
+    cases.push(Case::new(GROUP, "1 d at rest, held, f32", rest_in_single_precision));
+    cases.push(Case::new(GROUP, "jitter of 0.1 ms at rest, 100 Hz", jitter_at_rest));
+    cases.push(Case::new(GROUP, "jitter of 1 ms cruising, 50 Hz", jitter_cruising));
+    for loss in [0.01, 0.1, 0.3] {
+        cases.push(Case::new(GROUP, format!("{loss} of samples lost, bridged"), move |p| {
+            bridged(loss, p)
+        }));
+    }
+    cases.push(Case::new(GROUP, "a lost sample that is not bridged", not_bridged));
+    cases
+}
+
+/// Nothing moves but the Earth.
+fn at_rest(duration_s: f64, rate_hz: f64) -> Result<Scene, String> {
+    built_in("stationary", |scene| {
+        (scene.duration_s, scene.rate_hz) = (duration_s, rate_hz);
+    })
+}
+
+fn rest(frame: Frame, days: f64, progress: &CaseProgress) -> Outcome {
+    let mut scene = at_rest(days * DAY_S, 10.0)?;
+    (scene.navigator.frame, scene.navigator.vertical) = (frame, Vertical::Held);
+    held(&scene, floor::held_m(UNIT, scene.duration_s), progress)
+}
+
+fn rest_in_single_precision(progress: &CaseProgress) -> Outcome {
+    let mut scene = at_rest(DAY_S, 10.0)?;
+    (scene.navigator.precision, scene.navigator.vertical) = (Precision::F32, Vertical::Held);
+    held(&scene, floor::held_m(floor::SINGLE_UNIT, scene.duration_s), progress)
+}
+
+fn paper(frame: Frame, days: f64, progress: &CaseProgress) -> Outcome {
+    let scene = built_in("paper-perfect", |scene| {
+        scene.duration_s = days * DAY_S;
+        // One sample a second is enough for the paper's motion, and shows the blocks' own truncation.
+        scene.rate_hz = if days > 1.0 { 1.0 } else { 10.0 };
+        (scene.navigator.frame, scene.navigator.vertical) = (frame, Vertical::Held);
+        scene.navigator.window = Some(FOUR);
+    })?;
+    // The time and the phase 2πt/7200 s are rounded, each by at most UNIT of it.
+    let phase = TAU / PAPER_PERIOD_S * scene.duration_s;
+    let truth = 2.0 * UNIT * phase * PAPER_SWING * 2.0_f64.sqrt() * SEMI_MAJOR_AXIS;
+    // The parabola's rest is a velocity; against it a Schuler swing builds up in 1/ω_s, near to
+    // resonance with the motion twice as far.
+    let second = floor::gravity_parabola_m(PAPER_VERTICAL_RATE, 4.0 / scene.rate_hz, 1.0);
+    let swing = 2.0 * second / floor::schuler_rate();
+    held(&scene, floor::held_m(UNIT, scene.duration_s) + truth + swing, progress)
+}
+
+/// With the vertical held the horizontal position is what is left to drift.
+fn held(scene: &Scene, bound_m: f64, progress: &CaseProgress) -> Outcome {
+    let flown = fly(scene, progress)?;
+    let bound_arcsec = floor::attitude_arcsec(bound_m, 0.0);
+    let attitude = flown.attitude_arcsec;
+    Ok(vec![
+        Check::at_most("position", bound_m, flown.horizontal_m, "m", floor::HELD_WHY),
+        Check::at_most("attitude", bound_arcsec, attitude, "arcsec", floor::HELD_WHY),
+    ])
+}
+
+/// How far the vertical goes before the flight is over, m.
+const FAR_M: f64 = 1000.0;
+
+/// δh cosh κt leaves 1 km when theory says, and grows by κ on the way.
+fn off_by_a_millimetre(frame: Frame, progress: &CaseProgress) -> Outcome {
+    let start_m = 1e-3;
+    let kappa = floor::vertical_rate((45.0 * DEGREE).sin());
+    let expected_s = (FAR_M / start_m).acosh() / kappa;
+    let mut scene = at_rest((1.02 * expected_s).ceil(), 5.0)?;
+    scene.trajectory.altitude.offset = 0.0;
+    scene.initial_error.position_m[2] = -start_m;
+    scene.navigator.frame = frame;
+    let (mut metre_s, mut far_s) = (f64::NAN, f64::NAN);
+    watch(&scene, progress, &mut |instant| {
+        let height = instant.drift.position_m[2].abs();
+        for (time_s, at) in [(&mut metre_s, 1.0), (&mut far_s, FAR_M)] {
+            if time_s.is_nan() && height >= at {
+                *time_s = instant.time_s;
+            }
+        }
+    })?;
+    let rate = FAR_M.ln() / (far_s - metre_s);
+    let off = |measured: f64, theory: f64| 100.0 * (measured / theory - 1.0).abs();
+    // Coriolis takes (2ω cosφ)²/κ² = 0.34 % off κ², and 1 km of height 3h/a = 0.05 %.
+    let why = "δh·cosh κt, less Coriolis (2ω cosφ)²/2κ² = 0.17 % and 3h/2a at 1 km = 0.02 %";
+    Ok(vec![
+        Check::at_most("time to 1 km off theory", 0.25, off(far_s, expected_s), "%", why),
+        Check::at_most("growth off theory", 0.25, off(rate, kappa), "%", why),
+    ])
+}
+
+/// From a perfect start, rounding of gravity alone must not leave 1 km any sooner than it can.
+fn perfect_start(frame: Frame, progress: &CaseProgress) -> Outcome {
+    let kappa = floor::vertical_rate((45.0 * DEGREE).sin());
+    let offset_m = floor::ROUNDINGS * UNIT * EQUATORIAL_GRAVITY / (kappa * kappa);
+    let least_s = (FAR_M / offset_m).acosh() / kappa;
+    let mut scene = at_rest(24000.0, 5.0)?;
+    scene.navigator.frame = frame;
+    let (mut far_s, mut half_hour_m) = (f64::INFINITY, 0.0_f64);
+    watch(&scene, progress, &mut |instant| {
+        let height = instant.drift.position_m[2].abs();
+        if instant.time_s <= 1800.0 {
+            half_hour_m = half_hour_m.max(height);
+        }
+        if height >= FAR_M {
+            far_s = far_s.min(instant.time_s);
+        }
+    })?;
+    let why = "8 roundings of gravity, through cosh κt";
+    Ok(vec![
+        Check::at_least("time to 1 km", least_s, far_s, "s", why),
+        Check::at_most("after half an hour", floor::POSITION_M, half_hour_m, "m", why),
+    ])
+}
+
+fn steps(frame: Frame, rate_hz: f64, duration_s: f64, progress: &CaseProgress) -> Outcome {
+    let scene = built_in("paper-perfect", |scene| {
+        (scene.duration_s, scene.rate_hz) = (duration_s, rate_hz);
+        (scene.navigator.frame, scene.navigator.window) = (frame, Some(FOUR));
+    })?;
+    let parabola = floor::gravity_parabola_m(PAPER_VERTICAL_RATE, 4.0 / rate_hz, duration_s);
+    let bound_m = floor::POSITION_M + parabola;
+    let flown = fly(&scene, progress)?;
+    let why = "the floor, and gravity's third difference 19/180·T²·g(ωT)³ of each block";
+    Ok(vec![
+        Check::at_most("position", bound_m, flown.position_m, "m", why),
+        Check::at_most(
+            "attitude",
+            floor::attitude_arcsec(2.0 * bound_m, 0.0),
+            flown.attitude_arcsec,
+            "arcsec",
+            floor::ATTITUDE_WHY,
+        ),
+    ])
+}
+
+/// Deviates of this many sigma are not met within some thousand samples.
+const MOST_SIGMA: f64 = 5.0;
+
+/// A sample's end that is late by j leaves v·j, and f·j in velocity until the next: g·h·Σj by and by,
+/// weighted like Boole's rule within blocks, 1.09 rms.
+fn jittered(scene: &Scene, speed: f64, turning: f64, progress: &CaseProgress) -> Outcome {
+    let jitter_s = scene.link.jitter_s;
+    let walk = 1.09 * EQUATORIAL_GRAVITY / scene.rate_hz * (scene.samples() as f64).sqrt();
+    let position_m = MOST_SIGMA * jitter_s * (speed + walk);
+    let velocity = MOST_SIGMA * jitter_s * EQUATORIAL_GRAVITY;
+    let attitude = MOST_SIGMA * jitter_s * turning / ARCSECOND;
+    let flown = fly(scene, progress)?;
+    let why = "5 sigma of v·j and of g·h·Σj; g·j; ω·j";
+    Ok(vec![
+        Check::at_most("position", position_m, flown.position_m, "m", why),
+        Check::at_most("velocity", velocity, flown.velocity_m_s, "m/s", why),
+        Check::at_most("attitude", attitude, flown.attitude_arcsec, "arcsec", why),
+    ])
+}
+
+fn jitter_at_rest(progress: &CaseProgress) -> Outcome {
+    let mut scene = at_rest(60.0, 100.0)?;
+    scene.link.jitter_s = 1e-4;
+    scene.navigator.window = Some(FOUR);
+    jittered(&scene, 0.0, ROTATION_RATE, progress)
+}
+
+fn jitter_cruising(progress: &CaseProgress) -> Outcome {
+    let scene = built_in("cruise-180", |scene| {
+        scene.duration_s = 120.0;
+        scene.link.jitter_s = 1e-3;
+        scene.navigator.window = Some(FOUR);
+    })?;
+    // 250 m/s; pitch 0.5° every 40 s, yaw 4.8° and roll 1.3° every 600 s; the Earth and its curvature
+    let swing = |degrees: f64, period_s: f64| degrees * DEGREE * TAU / period_s;
+    let turning = swing(0.5, 40.0) + swing(4.8, 600.0) + swing(1.3, 600.0);
+    jittered(&scene, 250.0, turning + ROTATION_RATE + 250.0 / SEMI_MAJOR_AXIS, progress)
+}
+
+/// Samples lost with probability p and bridged by straight lines: with x″ the largest second difference
+/// of increments, a gap of m adds x″m(m+1)(m+2)/12, which is x″p/2(1−p)² per sample on average.
+fn bridged(loss: f64, progress: &CaseProgress) -> Outcome {
+    let scene = built_in("paper-perfect", |scene| {
+        scene.link.loss = loss;
+        scene.navigator.gap = Gap::Bridge;
+    })?;
+    let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
+    let (angle, velocity) = second_differences(&source, scene.samples());
+    let mean = loss / (2.0 * (1.0 - loss).powi(2)) * scene.rate_hz;
+    let (time_s, kappa) = (scene.duration_s, floor::vertical_rate(0.0));
+    // A steady acceleration through the vertical channel, and a steady rate through the level.
+    let fall = velocity * mean * ((kappa * time_s).cosh() - 1.0) / (kappa * kappa);
+    let tilt = angle * mean * EQUATORIAL_GRAVITY * time_s.powi(3) / 6.0;
+    // What is lost varies about its mean by a few per cent; the start and the end of a stream more.
+    let bound_m = floor::POSITION_M + 1.5 * (fall + tilt);
+    let flown = fly(&scene, progress)?;
+    let why = "x″p/2(1−p)² per sample, x″ the increments' second difference, all of one sign";
+    Ok(vec![Check::at_most("position", bound_m, flown.position_m, "m", why)])
+}
+
+/// The largest second differences of angle and velocity increments over a flight, rad and m/s.
+fn second_differences(source: &Source, samples: u64) -> (f64, f64) {
+    let increment = |n: u64| source.perfect(source.time_s(n), source.time_s(n + 1));
+    let mut most = (0.0_f64, 0.0_f64);
+    let curved = |a: Vector<f64>, b: Vector<f64>, c: Vector<f64>| ((a - b) - (b - c)).norm();
+    // The paper's motion is slow: every hundredth sample meets its extremes to a thousandth.
+    for n in (0..samples.saturating_sub(2)).step_by(100) {
+        let [a, b, c]: [Increment<f64>; 3] = [n, n + 1, n + 2].map(increment);
+        most.0 = most.0.max(curved(a.angle_b, b.angle_b, c.angle_b));
+        most.1 = most.1.max(curved(a.velocity_b, b.velocity_b, c.velocity_b));
+    }
+    most
+}
+
+fn not_bridged(_: &CaseProgress) -> Outcome {
+    let scene = scene(
+        "duration_s = 60\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\n[link]\nloss = 0.1\n",
+    )?;
+    let flown = simulate::fly(&scene, false, &mut |_| Ok(()), &|_| ());
+    let other = u64::from(!matches!(flown, Err(FlightError::Lost { .. })));
+    Ok(vec![Check::never("not refused as lost", other, "gap = \"error\" ends the run")])
+}

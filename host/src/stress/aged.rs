@@ -127,10 +127,10 @@ fn word(state: &mut u64) -> u64 {
     x ^ (x >> 31)
 }
 
-/// 2⁵³: what makes an integer of a term.
-const SCALE: f64 = 9_007_199_254_740_992.0;
+/// 2⁶⁰: what makes an integer of a term.
+const SCALE: f64 = 1_152_921_504_606_846_976.0;
 
-/// A pair less an exact sum in units of 2⁻⁵³: the leading part is a whole number of them.
+/// A pair less an exact sum in units of 2⁻⁶⁰: the leading part is a whole number of them.
 fn off(sum: Pair<f64>, exact: i128) -> f64 {
     (((sum.hi * SCALE) as i128 - exact) as f64 + sum.lo * SCALE).abs() / SCALE
 }
@@ -138,15 +138,16 @@ fn off(sum: Pair<f64>, exact: i128) -> f64 {
 /// Deviates of a walk that are not met.
 const MOST_SIGMA: f64 = 6.0;
 
-/// Terms in [½, 1) of 53 random bits.
+/// Terms from 1/256 to 1 of 53 random bits.
 fn random_terms(terms: u64, progress: &CaseProgress) -> Outcome {
     let (mut pair, mut plain) = (Pair::new(0.0), Plain(0.0));
     let mut whole = TwoFloat(Pair::new(0.0));
     let (mut exact, mut state) = (0_i128, 1);
     for n in 0..terms {
-        let integer = (word(&mut state) >> 12) | (1 << 52);
+        let random = word(&mut state);
+        let integer = i128::from((random >> 12) | (1 << 52)) << (random & 7);
         let term = integer as f64 / SCALE;
-        exact += i128::from(integer);
+        exact += integer;
         pair.add(term);
         plain.add(term);
         whole.add_pair(Pair::new(term));
@@ -178,18 +179,14 @@ fn equal_terms(terms: u64, progress: &CaseProgress) -> Outcome {
         progress.reach(n, terms);
     }
     // 0.1 is a whole number of 2⁻⁵⁶.
-    let exact = i128::from((term * SCALE * 8.0) as u64) * i128::from(terms);
+    let exact = (term * SCALE) as i128 * i128::from(terms);
     let n = terms as f64;
-    let off = |sum: Pair<f64>| {
-        let leading = (sum.hi * SCALE * 8.0) as i128 - exact;
-        (leading as f64 / (SCALE * 8.0) + sum.lo).abs()
-    };
     let why = "n roundings of one sign: of a term and the low part, of the low part";
     // |d + lo| < 0.1 + ½ulp(sum)
     let rounded = term + UNIT * term * n;
     Ok(vec![
-        Check::at_most("compensated", n * UNIT * rounded, off(pair), "", why),
-        Check::at_most("two-float", n * UNIT * UNIT * term * n, off(whole.0), "", why),
+        Check::at_most("compensated", n * UNIT * rounded, off(pair, exact), "", why),
+        Check::at_most("two-float", n * UNIT * UNIT * term * n, off(whole.0, exact), "", why),
     ])
 }
 

@@ -169,7 +169,9 @@ impl ReplayArgs {
 
 /// Options of `stress`.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
-#[command(after_help = "Examples:\n  schuler stress\n  schuler stress --full --case coning --out out/stress")]
+#[command(
+    after_help = "Examples:\n  schuler stress\n  schuler stress --full --case coning --out out/stress"
+)]
 pub struct StressArgs {
     /// The long cases, too: some ten minutes
     #[arg(long)]

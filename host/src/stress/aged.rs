@@ -43,8 +43,7 @@ pub fn cases() -> Vec<Case> {
     }
     for (terms, long) in [(10_000_000, false), (1_000_000_000, true)] {
         let mut add = |what: &str, run: fn(u64, &CaseProgress) -> Outcome| {
-            let case =
-                Case::new(GROUP, format!("{terms:e} terms, {what}"), move |p| run(terms, p));
+            let case = Case::new(GROUP, format!("{terms:e} terms, {what}"), move |p| run(terms, p));
             cases.push(if long { case.long() } else { case });
         };
         add("random", random_terms);
@@ -69,9 +68,8 @@ where
     let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
     let before = scene.samples() + 1;
     // The swell repeats itself by and by; a hundred seconds of it, over and over, age as well.
-    let cycle: Vec<_> = (1..=5000)
-        .map(|n| source.perfect(source.time_s(n - 1), source.time_s(n)))
-        .collect();
+    let cycle: Vec<_> =
+        (1..=5000).map(|n| source.perfect(source.time_s(n - 1), source.time_s(n))).collect();
     let interval_s = Pair::narrow(Pair::new(scene.rate_hz).reciprocal());
     let refused = |error: StartError| error.to_string();
     let mechanization = new(interval_s).map_err(refused)?;

@@ -62,10 +62,15 @@ pub fn stress(args: &StressArgs) -> Result<(), FlightError> {
     }
     let failed = rows.iter().filter(|row| !row.passes()).count();
     say(&format!("{} checks, {failed} failed\n", rows.len()))?;
-    if failed > 0 {
-        return Err(FlightError::Failed { failed, checks: rows.len() });
+    judge(&rows)
+}
+
+/// An error if any row fails.
+pub fn judge(rows: &[Row]) -> Result<(), FlightError> {
+    match rows.iter().filter(|row| !row.passes()).count() {
+        0 => Ok(()),
+        failed => Err(FlightError::Failed { failed, checks: rows.len() }),
     }
-    Ok(())
 }
 
 /// A check with the case that it belongs to.

@@ -76,8 +76,8 @@ fn spinning(frame: &str, progress: &CaseProgress) -> Outcome {
     let tilt = EQUATORIAL_GRAVITY * drift * duration_s.powi(3) / 6.0;
     let flown = fly(&scene, progress)?;
     let floor_m = floor::free_m(duration_s);
-    let attitude = floor::attitude_arcsec(floor_m, turned)
-        + (truth + drift * duration_s) / ARCSECOND;
+    let attitude =
+        floor::attitude_arcsec(floor_m, turned) + (truth + drift * duration_s) / ARCSECOND;
     Ok(vec![
         Check::at_most(
             "position",
@@ -209,10 +209,9 @@ fn sculling(samples_per_cycle: u32, window: Shape, progress: &CaseProgress) -> O
     let edges = [window.first(), window.last()];
     // The part at twice the frequency averages out, but not over the first and the last blocks.
     let once: f64 = edges.iter().map(|&edge| 2.0 * residual::sculling_block(edge, beta)).sum();
-    let bound_m = 1.02 * product * (0.5 * steady * SHAKING_S + once) * SHAKING_S
-        + floor::free_m(SHAKING_S);
+    let bound_m =
+        1.02 * product * (0.5 * steady * SHAKING_S + once) * SHAKING_S + floor::free_m(SHAKING_S);
     let flown = fly_forced(&scene, progress)?;
     let why = "½t² of the window's interpolation and its series' end, and the floor";
     Ok(vec![Check::at_most("position", bound_m, flown.position_m, "m", why)])
 }
-

@@ -11,6 +11,7 @@ use super::flown::built_in;
 use super::stochastic::{self, Format, Stochastic};
 use crate::progress::CaseProgress;
 use crate::source::Source;
+use schuler::earth::{EQUATORIAL_GRAVITY, SEMI_MAJOR_AXIS};
 use schuler::math::compensated::{Pair, Plain};
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
@@ -101,7 +102,7 @@ where
     let seen = |size: f64, sigma: f64| {
         if sigma == 0.0 { -floor::UNIT.log10() } else { digits(size, sigma) }
     };
-    let why = "√(cn/6) ulps of the state (c = 2) and of its increments (c = 24), twice over";
+    let why = "√(cn/6) ulps of the state (c = 1) and of its increments (c = 8), twice over";
     let row = |(i, what): (usize, &str)| {
         let least = digits(size.0[i], 2.0 * bound.0[i]);
         Check::at_least(what, least, seen(size.0[i], measured.0[i]), "digits", why)
@@ -218,8 +219,8 @@ impl Motion {
         let walk = |roundings: f64| (roundings * blocks / 6.0).sqrt();
         // A plain state is rounded to itself, a compensated one only as its increments are.
         let rounded = |state: f64, increment: f64| {
-            let state = if F::COMPENSATED { 0.0 } else { unit * state * walk(2.0) };
-            state.hypot(unit * increment * walk(24.0))
+            let state = if F::COMPENSATED { 0.0 } else { unit * state * walk(1.0) };
+            state.hypot(unit * increment * walk(floor::ROUNDINGS))
         };
         // Four components, each counting twice as an angle.
         let attitude = 4.0 * rounded(1.0, 0.5 * angle);
@@ -228,24 +229,33 @@ impl Motion {
         let force = velocity * blocks / time_s;
         let tilted = force * attitude * time_s / 3.0_f64.sqrt();
         let velocity = (3.0_f64.sqrt() * rounded(speed + earth, velocity)).hypot(tilted);
-        let growth = (floor::vertical_rate(0.0) * time_s).cosh();
-        let carried = velocity * time_s / 3.0_f64.sqrt() * growth;
-        let radius = schuler::earth::SEMI_MAJOR_AXIS;
+        // The level holds what is horizontal; the vertical grows.
+        let kappa = floor::vertical_rate(0.0);
+        let growth = (kappa * time_s).cosh();
+        let carried = velocity * time_s / 3.0_f64.sqrt();
+        // Earth-fixed axes read a block's time to its leading part: one rounding for all of a run, and of
+        // gravity's product with it.
+        let (fallen, falling) = if F::EARTH_SIZED {
+            let pull = unit * EQUATORIAL_GRAVITY / 6.0_f64.sqrt();
+            (pull * (growth - 1.0) / (kappa * kappa), pull * (kappa * time_s).sinh() / kappa)
+        } else {
+            (0.0, 0.0)
+        };
         let position = end.position.map(|c| c.hi.abs());
         let step = (speed + earth) * time_s / blocks;
         let cosine = position.latitude.cos();
-        let sigma = |state: f64, scale: f64| {
+        let sigma = |state: f64, scale: f64, carried: f64| {
             // Earth-fixed coordinates are printed from their leading parts.
-            let printed = if F::EARTH_SIZED { 2.0 * unit * radius * scale } else { 0.0 };
-            let state = if F::EARTH_SIZED { radius * scale } else { state };
+            let printed = if F::EARTH_SIZED { 2.0 * unit * SEMI_MAJOR_AXIS * scale } else { 0.0 };
+            let state = if F::EARTH_SIZED { SEMI_MAJOR_AXIS * scale } else { state };
             rounded(state, step * scale).hypot(carried * scale).hypot(printed)
         };
         Five([
-            sigma(position.latitude, 1.0 / radius),
-            sigma(position.longitude, 1.0 / (radius * cosine)),
-            sigma(position.altitude, 1.0),
-            velocity * growth,
-            attitude.hypot(carried / radius),
+            sigma(position.latitude, 1.0 / SEMI_MAJOR_AXIS, carried),
+            sigma(position.longitude, 1.0 / (SEMI_MAJOR_AXIS * cosine), carried),
+            sigma(position.altitude, 1.0, (carried * growth).hypot(fallen)),
+            (velocity * growth).hypot(falling),
+            attitude.hypot(carried / SEMI_MAJOR_AXIS),
         ])
     }
 }

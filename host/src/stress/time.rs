@@ -20,6 +20,8 @@ const FRAMES: [Frame; 2] = [Frame::LocalLevel, Frame::EarthFixed];
 /// The paper's harmonics: 5° every 7200 s.
 const PAPER_PERIOD_S: f64 = 7200.0;
 const PAPER_SWING: f64 = 5.0 * DEGREE;
+/// The tangent of its highest latitude, 50°.
+const PAPER_TANGENT: f64 = 1.2;
 
 /// Four samples to a block, so that a block's length is known.
 const FOUR: WindowShape = WindowShape { history: 0, block: 4, lookahead: 0 };
@@ -49,13 +51,18 @@ pub fn cases() -> Vec<Case> {
             [(1000.0, 300.0), (100.0, 1800.0), (10.0, 1800.0), (2.0, 1800.0), (1.0, 1800.0)]
         {
             let step_s = 1.0 / rate_hz;
-            cases.push(Case::new(GROUP, format!("paper at steps of {step_s} s, {name}"), move |p| {
-                steps(frame, rate_hz, duration_s, p)
-            }));
+            cases.push(Case::new(
+                GROUP,
+                format!("paper at steps of {step_s} s, {name}"),
+                move |p| steps(frame, rate_hz, duration_s, p),
+            ));
         }
-        for (scene, rate_hz) in
-            [("stationary", 1.0), ("stationary", 5.0), ("paper-perfect", 1.0), ("paper-perfect", 5.0)]
-        {
+        for (scene, rate_hz) in [
+            ("stationary", 1.0),
+            ("stationary", 5.0),
+            ("paper-perfect", 1.0),
+            ("paper-perfect", 5.0),
+        ] {
             let case = format!("{scene} at {rate_hz} Hz, window planned, {name}");
             cases.push(Case::new(GROUP, case, move |p| planned(scene, frame, rate_hz, p)));
         }
@@ -82,13 +89,13 @@ fn at_rest(duration_s: f64, rate_hz: f64) -> Result<Scene, String> {
 fn rest(frame: Frame, days: f64, progress: &CaseProgress) -> Outcome {
     let mut scene = at_rest(days * DAY_S, 10.0)?;
     (scene.navigator.frame, scene.navigator.vertical) = (frame, Vertical::Held);
-    held(&scene, floor::held_m(UNIT, scene.duration_s), progress)
+    held(&scene, floor::held_m(UNIT, scene.duration_s), 1.0, progress)
 }
 
 fn rest_in_single_precision(progress: &CaseProgress) -> Outcome {
     let mut scene = at_rest(DAY_S, 10.0)?;
     (scene.navigator.precision, scene.navigator.vertical) = (Precision::F32, Vertical::Held);
-    held(&scene, floor::held_m(floor::SINGLE_UNIT, scene.duration_s), progress)
+    held(&scene, floor::held_m(floor::SINGLE_UNIT, scene.duration_s), 1.0, progress)
 }
 
 fn paper(frame: Frame, days: f64, progress: &CaseProgress) -> Outcome {
@@ -102,17 +109,19 @@ fn paper(frame: Frame, days: f64, progress: &CaseProgress) -> Outcome {
     // The time and the phase 2πt/7200 s are rounded, each by at most UNIT of it.
     let phase = TAU / PAPER_PERIOD_S * scene.duration_s;
     let truth = 2.0 * UNIT * phase * PAPER_SWING * 2.0_f64.sqrt() * SEMI_MAJOR_AXIS;
-    // The parabola's rest is a velocity; against it a Schuler swing builds up in 1/ω_s, near to
-    // resonance with the motion twice as far.
-    let second = parabola(&scene, 4.0, PAPER_PERIOD_S)?.rate;
-    let swing = 2.0 * second / floor::schuler_rate();
-    held(&scene, floor::held_m(UNIT, scene.duration_s) + truth + swing, progress)
+    // The parabola's rest is a velocity d cos ωt; the Schuler swing that starts with it is at most
+    // d/(ω_s − ω).
+    let rest = parabola(&scene, 4.0, PAPER_PERIOD_S)?.rate;
+    let swing = rest / (floor::schuler_rate() - TAU / PAPER_PERIOD_S);
+    let bound_m = floor::held_m(UNIT, scene.duration_s) + truth + swing;
+    held(&scene, bound_m, PAPER_TANGENT, progress)
 }
 
-/// With the vertical held the horizontal position is what is left to drift.
-fn held(scene: &Scene, bound_m: f64, progress: &CaseProgress) -> Outcome {
+/// With the vertical held the horizontal position is what is left to drift; the attitude goes with it, the
+/// heading by the tangent of the latitude.
+fn held(scene: &Scene, bound_m: f64, tangent: f64, progress: &CaseProgress) -> Outcome {
     let flown = fly(scene, progress)?;
-    let bound_arcsec = floor::attitude_arcsec(bound_m, 0.0);
+    let bound_arcsec = floor::attitude_arcsec(bound_m * tangent.hypot(1.0), 0.0);
     let attitude = flown.attitude_arcsec;
     Ok(vec![
         Check::at_most("position", bound_m, flown.horizontal_m, "m", floor::HELD_WHY),

@@ -6,6 +6,7 @@ use crate::flight::Instant;
 use crate::progress::CaseProgress;
 use crate::scene::{Scene, builtin, parse};
 use crate::simulate;
+use schuler::math::vector::Vector;
 
 /// The largest errors over every sample of a flight.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +23,8 @@ pub struct Flown {
     pub tilt_arcsec: f64,
     /// At the end, ″.
     pub last_attitude_arcsec: f64,
+    /// Drift at the end, north, east, down, m.
+    pub last_position_m: Vector<f64>,
     duration_s: f64,
 }
 
@@ -106,6 +109,7 @@ fn flown(
         attitude_arcsec,
         tilt_arcsec,
         last_attitude_arcsec: roll.hypot(pitch).hypot(yaw),
+        last_position_m: flight.last.drift.position_m.into(),
         duration_s: scene.duration_s,
     })
 }

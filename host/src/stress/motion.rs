@@ -166,7 +166,7 @@ fn sculling_scene(samples_per_cycle: u32, window: Shape) -> Result<Scene, String
 fn planned_order(samples_per_cycle: u32, window: Shape, progress: &CaseProgress) -> Outcome {
     let scene = sculling_scene(samples_per_cycle, window)?;
     let (planned, forced) = (fly(&scene, progress)?, fly_forced(&scene, progress)?);
-    let apart = (planned.position_m - forced.position_m).abs();
+    let apart = (planned.last_position_m - forced.last_position_m).norm();
     let why = "where an order is lowered the answer is the same to the floor";
     Ok(vec![Check::at_most("position apart", floor::free_m(SHAKING_S), apart, "m", why)])
 }

@@ -292,8 +292,8 @@ fn every_navigator() -> Vec<(Navigator, WindowShape)> {
     all
 }
 
-/// Impossible numbers on each input between good samples: each refused by its kind, and the digest over
-/// every state afterwards that of a flight without them.
+/// Impossible numbers on each input between good samples: each refused by its kind, and every state and
+/// row afterwards that of a flight without them.
 fn refused(progress: &CaseProgress) -> Outcome {
     let scene = built_in("manoeuvre", |scene| scene.duration_s = 1.0)?;
     let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
@@ -311,6 +311,7 @@ fn refused(progress: &CaseProgress) -> Outcome {
             Err(error) => return Err(error.to_string()),
         };
         let mut undisturbed = start().map_err(|error| error.to_string())?;
+        let (mut rows, mut undisturbed_rows) = (Vec::new(), Vec::new());
         flown += 1;
         for n in 1..=scene.samples() {
             let good = source.perfect(source.time_s(n - 1), source.time_s(n));
@@ -327,16 +328,17 @@ fn refused(progress: &CaseProgress) -> Outcome {
                 let taken = disturbed.push(&bad, &mut |_, _| ());
                 wrong += u64::from(taken != Err(expected));
             }
-            let push = |flying: &mut Box<dyn Navigate>| {
-                let taken = flying.push(&good, &mut |_, _| ());
-                taken.map_err(|why| format!("sample {n}: {why}"))
-            };
-            push(&mut disturbed)?;
-            push(&mut undisturbed)?;
+            for (flying, rows) in
+                [(&mut disturbed, &mut rows), (&mut undisturbed, &mut undisturbed_rows)]
+            {
+                let taken = flying.push(&good, &mut |n, row| rows.push((n, *row)));
+                taken.map_err(|why| format!("sample {n}: {why}"))?;
+            }
         }
-        disturbed.finish(&mut |_, _| ());
-        undisturbed.finish(&mut |_, _| ());
-        moved += u64::from(disturbed.digest() != undisturbed.digest());
+        disturbed.finish(&mut |n, row| rows.push((n, *row)));
+        undisturbed.finish(&mut |n, row| undisturbed_rows.push((n, *row)));
+        let same = disturbed.digest() == undisturbed.digest() && rows == undisturbed_rows;
+        moved += u64::from(!same);
     }
     let why = "what cannot be right is refused by its kind, and no bit of the state moves";
     Ok(vec![

@@ -227,12 +227,15 @@ impl Motion {
         // Earth-fixed velocities contain the Earth's own.
         let earth = if F::EARTH_SIZED { 465.0 } else { 0.0 };
         let force = velocity * blocks / time_s;
-        let tilted = force * attitude * time_s / 3.0_f64.sqrt();
-        let velocity = (3.0_f64.sqrt() * rounded(speed + earth, velocity)).hypot(tilted);
-        // The level holds what is horizontal; the vertical grows.
+        let rounding = 3.0_f64.sqrt() * rounded(speed + earth, velocity);
+        // An error of the attitude turns gravity into the level, and only what else is felt into the
+        // vertical; the level holds, the vertical grows.
+        let mean = time_s / 3.0_f64.sqrt();
         let kappa = floor::vertical_rate(0.0);
         let growth = (kappa * time_s).cosh();
-        let carried = velocity * time_s / 3.0_f64.sqrt();
+        let beyond_gravity = (force - EQUATORIAL_GRAVITY).max(0.0);
+        let level = rounding.hypot(force * attitude * mean);
+        let vertical = rounding.hypot(beyond_gravity * attitude * mean) * growth;
         // Earth-fixed axes read a block's time to its leading part: one rounding for all of a run, and of
         // gravity's product with it.
         let (fallen, falling) = if F::EARTH_SIZED {
@@ -244,18 +247,19 @@ impl Motion {
         let position = end.position.map(|c| c.hi.abs());
         let step = (speed + earth) * time_s / blocks;
         let cosine = position.latitude.cos();
+        // Earth-fixed coordinates are printed from their leading parts.
+        let printed = |size: f64| if F::EARTH_SIZED { 2.0 * unit * size } else { 0.0 };
         let sigma = |state: f64, scale: f64, carried: f64| {
-            // Earth-fixed coordinates are printed from their leading parts.
-            let printed = if F::EARTH_SIZED { 2.0 * unit * SEMI_MAJOR_AXIS * scale } else { 0.0 };
-            let state = if F::EARTH_SIZED { SEMI_MAJOR_AXIS * scale } else { state };
-            rounded(state, step * scale).hypot(carried * scale).hypot(printed)
+            let radius = SEMI_MAJOR_AXIS * scale;
+            let state = if F::EARTH_SIZED { radius } else { state };
+            rounded(state, step * scale).hypot(carried * scale).hypot(printed(radius))
         };
         Five([
-            sigma(position.latitude, 1.0 / SEMI_MAJOR_AXIS, carried),
-            sigma(position.longitude, 1.0 / (SEMI_MAJOR_AXIS * cosine), carried),
-            sigma(position.altitude, 1.0, (carried * growth).hypot(fallen)),
-            (velocity * growth).hypot(falling),
-            attitude.hypot(carried / SEMI_MAJOR_AXIS),
+            sigma(position.latitude, 1.0 / SEMI_MAJOR_AXIS, level * mean),
+            sigma(position.longitude, 1.0 / (SEMI_MAJOR_AXIS * cosine), level * mean),
+            sigma(position.altitude, 1.0, (vertical * mean).hypot(fallen)),
+            level.hypot(vertical).hypot(falling),
+            attitude.hypot(level * mean / SEMI_MAJOR_AXIS).hypot(printed(1.0)),
         ])
     }
 }

@@ -5,11 +5,13 @@
 //! | `case` | cases and their checks |
 //! | `floor` | the bounds that follow from the arithmetic and from the Earth |
 //! | `flown` | a scene flown as `schuler run` flies it |
-//! | `time` | long runs, step sizes, jitter and loss |
+//! | `time` | long runs, the free vertical, step sizes |
+//! | `link` | jitter and loss |
 //! | `motion` | fast rotation, large acceleration, tumbling, coning, sculling |
 //! | `residual` | what a window leaves of a cone, by its own interpolation |
 //! | `place` | poles, antimeridian, equator, heights |
-//! | `numbers` | zeros, subnormals, what must be refused |
+//! | `numbers` | zeros, subnormals, no rotation |
+//! | `refused` | what cannot be right |
 //! | `stochastic` | a scalar that rounds at random |
 //! | `rounding` | how many digits that leaves trustworthy |
 //! | `aged` | states stored late, sums of many terms |
@@ -18,9 +20,11 @@ mod aged;
 pub mod case;
 pub mod floor;
 mod flown;
+mod link;
 mod motion;
 mod numbers;
 mod place;
+mod refused;
 pub mod residual;
 mod rounding;
 pub mod stochastic;

@@ -154,7 +154,7 @@ fn write(path: &std::path::Path, rows: &[Row]) -> Result<(), InputError> {
     writer.write_record(header).map_err(fault)?;
     for row in rows {
         let (bound, measured, unit) = match &row.check {
-            Ok(check) => (check.bound.value().to_string(), check.measured.to_string(), check.unit),
+            Ok(check) => (digits(check.bound.value()), digits(check.measured), check.unit),
             Err(_) => Default::default(),
         };
         let record = [row.group, &row.name(), &bound, &measured, unit, row.verdict()];
@@ -162,4 +162,9 @@ fn write(path: &std::path::Path, rows: &[Row]) -> Result<(), InputError> {
     }
     let file = writer.into_inner().map_err(|error| fault(error.into_error().into()))?;
     file.finish()
+}
+
+/// With the digits that bring back its bits.
+fn digits(x: f64) -> String {
+    zmij::Buffer::new().format(x).to_owned()
 }

@@ -19,6 +19,7 @@ pub mod run;
 pub mod scene;
 pub mod simulate;
 pub mod source;
+pub mod stress;
 pub mod theory;
 pub mod timing;
 pub mod units;

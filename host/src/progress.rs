@@ -53,3 +53,57 @@ fn bar(samples: u64, start: Instant) -> ProgressBar {
         Err(_) => bar,
     }
 }
+
+/// The progress of a row of cases, of which each may take long.
+pub struct CaseProgress {
+    bar: Option<ProgressBar>,
+}
+
+impl CaseProgress {
+    /// Towards a number of cases.
+    pub fn new(cases: u64) -> Self {
+        if !std::io::stderr().is_terminal() {
+            return Self { bar: None };
+        }
+        let bar = ProgressBar::with_draw_target(Some(cases), ProgressDrawTarget::stderr());
+        let style = ProgressStyle::with_template("{pos} of {len} done, {elapsed}: {prefix} {msg}");
+        bar.enable_steady_tick(Duration::from_millis(500));
+        Self { bar: Some(style.map_or(bar.clone(), |style| bar.with_style(style))) }
+    }
+
+    /// A case begins.
+    pub fn begin(&self, name: &str) {
+        if let Some(bar) = &self.bar {
+            bar.set_message("");
+            bar.set_prefix(name.to_owned());
+        }
+    }
+
+    /// So many of a case's samples are done.
+    pub fn reach(&self, done: u64, all: u64) {
+        if let Some(bar) = &self.bar
+            && done.is_multiple_of(65536)
+            && done > 0
+        {
+            bar.set_message(format!("{} %", 100 * done / all.max(1)));
+        }
+    }
+
+    /// A case is done; `print` says what it came to, with the line out of the way.
+    pub fn end<T>(&self, print: impl FnOnce() -> T) -> T {
+        match &self.bar {
+            Some(bar) => {
+                bar.inc(1);
+                bar.suspend(print)
+            }
+            None => print(),
+        }
+    }
+
+    /// Takes the line away.
+    pub fn finish(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

@@ -43,6 +43,13 @@ pub enum FlightError {
         /// Why.
         why: Rejected,
     },
+    /// Checks that did not keep their bounds.
+    Failed {
+        /// How many.
+        failed: usize,
+        /// Of how many.
+        checks: usize,
+    },
     /// A recording cannot be navigated beyond this place.
     Stopped(InputError),
 }
@@ -56,6 +63,7 @@ impl fmt::Display for FlightError {
                 "sample {sample} at {time_s} s was lost on the link; \
                  navigator.gap = \"bridge\" would fill it from its neighbours"
             ),
+            Self::Failed { failed, checks } => write!(f, "{failed} of {checks} checks failed"),
             Self::Rejected { sample, time_s, why } => {
                 write!(f, "sample {sample} at {time_s} s: {why}")
             }

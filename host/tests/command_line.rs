@@ -40,11 +40,17 @@ fn definitions_are_consistent_and_help_has_examples() {
         help.starts_with("Flies a strapdown") && help.contains("Examples:\n  schuler "),
         "{help}"
     );
-    for name in ["run", "emulate", "replay", "frontier", "scenes"] {
+    for name in ["run", "emulate", "replay", "frontier", "stress", "scenes"] {
         let help = command.find_subcommand_mut(name).expect(name).render_help().to_string();
         assert!(help.contains(&format!("\n  schuler {name}")), "{help}");
-        let about =
-            ["Fly a scene", "Write the", "Navigate a", "Measure run time", "List the built-in"];
+        let about = [
+            "Fly a scene",
+            "Write the",
+            "Navigate a",
+            "Run the table",
+            "Measure run time",
+            "List the built-in",
+        ];
         assert!(about.iter().any(|about| help.starts_with(about)), "{help}");
     }
 }
@@ -104,6 +110,17 @@ fn emulate_and_replay_take_what_they_need() {
     let error = arguments.check().expect_err("nothing is left").to_string();
     assert!(error.starts_with("--until: 660") && error.contains("above 660"), "{error}");
     assert!(replay("replay --imu i --out n --start -5").check().is_ok());
+}
+
+#[test]
+fn stress_takes_a_part_of_a_name() {
+    let Ok(Command::Stress(arguments)) = parse("stress --full --case coning --out o") else {
+        panic!("not stress")
+    };
+    assert!(arguments.full);
+    assert_eq!(arguments.case.as_deref(), Some("coning"));
+    assert_eq!(arguments.out.as_deref(), Some(Path::new("o")));
+    assert_eq!(parse("stress").expect("valid"), Command::Stress(Default::default()));
 }
 
 #[test]

@@ -42,6 +42,8 @@ pub enum Command {
     Replay(ReplayArgs),
     /// Measure run time against error
     Frontier(FrontierArgs),
+    /// Run the table of numerical stability, each row against its bound
+    Stress(StressArgs),
     /// List the built-in scenes
     #[command(after_help = "Example:\n  schuler scenes")]
     Scenes,
@@ -182,6 +184,23 @@ pub struct FrontierArgs {
     #[arg(long)]
     pub quick: bool,
     /// Folder for frontier.csv and frontier.png [default: out/frontier]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// Options of `stress`.
+#[derive(Args, Clone, Debug, Default, PartialEq)]
+#[command(
+    after_help = "Examples:\n  schuler stress\n  schuler stress --full --case coning --out out/stress"
+)]
+pub struct StressArgs {
+    /// The long cases, too: some ten minutes
+    #[arg(long)]
+    pub full: bool,
+    /// Only the cases with this in their name
+    #[arg(long, value_name = "NAME")]
+    pub case: Option<String>,
+    /// Folder for stress.csv
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

@@ -1,0 +1,170 @@
+//! `schuler stress`: the table of numerical stability, each row with the bound it must keep.
+//!
+//! | file | what |
+//! |---|---|
+//! | `case` | cases and their checks |
+//! | `floor` | the bounds that follow from the arithmetic and from the Earth |
+//! | `flown` | a scene flown as `schuler run` flies it |
+//! | `time` | long runs, the free vertical, step sizes |
+//! | `link` | jitter and loss |
+//! | `motion` | fast rotation, large acceleration, tumbling, coning, sculling |
+//! | `residual` | what a window leaves of a cone, by its own interpolation |
+//! | `place` | poles, antimeridian, equator, heights |
+//! | `numbers` | zeros, subnormals, no rotation |
+//! | `refused` | what cannot be right |
+//! | `stochastic` | a scalar that rounds at random |
+//! | `rounding` | how many digits that leaves trustworthy |
+//! | `aged` | states stored late, sums of many terms |
+
+mod aged;
+pub mod case;
+pub mod floor;
+mod flown;
+mod link;
+mod motion;
+mod numbers;
+mod place;
+mod refused;
+pub mod residual;
+mod rounding;
+pub mod stochastic;
+mod time;
+
+use crate::cli::StressArgs;
+use crate::input::{Complaint, InputError};
+use crate::output::{OutputFile, say};
+use crate::progress::CaseProgress;
+use crate::simulate::FlightError;
+use case::{Case, Check, number};
+
+/// Every case, the long ones among them.
+pub fn cases() -> Vec<Case> {
+    let groups =
+        [time::cases, motion::cases, place::cases, numbers::cases, rounding::cases, aged::cases];
+    groups.into_iter().flat_map(|cases| cases()).collect()
+}
+
+/// Runs the cases that are asked for, prints the table and writes it where that is asked for.
+pub fn stress(args: &StressArgs) -> Result<(), FlightError> {
+    let mut cases = cases();
+    cases.retain(|case| args.full || !case.long);
+    if let Some(part) = &args.case {
+        let names: Vec<_> = cases.iter().map(Case::full_name).collect();
+        cases.retain(|case| case.full_name().contains(part.as_str()));
+        if cases.is_empty() {
+            let hint = if args.full { "" } else { " without --full" };
+            let what = format!("there is no case with {part} in its name{hint}");
+            let accepted = format!("part of one of: {}", names.join("; "));
+            return Err(InputError::option("--case", Complaint::new(what, accepted)).into());
+        }
+    }
+    let rows = run(&cases)?;
+    if let Some(folder) = &args.out {
+        let path = folder.join("stress.csv");
+        write(&path, &rows)?;
+        say(&format!("written to {}\n", path.display()))?;
+    }
+    let failed = rows.iter().filter(|row| !row.passes()).count();
+    say(&format!("{} checks, {failed} failed\n", rows.len()))?;
+    judge(&rows)
+}
+
+/// An error if any row fails.
+pub fn judge(rows: &[Row]) -> Result<(), FlightError> {
+    match rows.iter().filter(|row| !row.passes()).count() {
+        0 => Ok(()),
+        failed => Err(FlightError::Failed { failed, checks: rows.len() }),
+    }
+}
+
+/// A check with the case that it belongs to.
+#[derive(Clone, Debug)]
+pub struct Row {
+    group: &'static str,
+    case: String,
+    /// The check, or why its case broke off.
+    check: Result<Check, String>,
+}
+
+impl Row {
+    /// Whether the bound is kept.
+    pub fn passes(&self) -> bool {
+        self.check.as_ref().is_ok_and(Check::passes)
+    }
+
+    fn verdict(&self) -> &'static str {
+        if self.passes() { "pass" } else { "fail" }
+    }
+
+    fn name(&self) -> String {
+        match &self.check {
+            Ok(check) => format!("{}, {}", self.case, check.what),
+            Err(_) => self.case.clone(),
+        }
+    }
+}
+
+/// Width of the column of names.
+const NAME: usize = 62;
+
+/// Runs cases and prints a row for each check as soon as it is known.
+pub fn run(cases: &[Case]) -> Result<Vec<Row>, InputError> {
+    let progress = CaseProgress::new(cases.len() as u64);
+    let mut rows = Vec::new();
+    let [bound, measured] = ["bound", "measured"];
+    say(&format!("{:8} {:NAME$} {bound:>11} {measured:>10}\n", "group", "case"))?;
+    for case in cases {
+        progress.begin(&case.full_name());
+        let outcome = case.run(&progress);
+        let row = |check| Row { group: case.group, case: case.name.clone(), check };
+        let new: Vec<_> = match outcome {
+            Ok(checks) => checks.into_iter().map(|check| row(Ok(check))).collect(),
+            Err(why) => vec![row(Err(why))],
+        };
+        let text: String = new.iter().map(line).collect();
+        progress.end(|| say(&text))?;
+        rows.extend(new);
+    }
+    progress.finish();
+    Ok(rows)
+}
+
+/// A row as it is printed; where a check fails, with the reason of its bound.
+fn line(row: &Row) -> String {
+    let (group, name, verdict) = (row.group, row.name(), row.verdict());
+    match &row.check {
+        Ok(check) => {
+            let Check { bound, measured, unit, why, .. } = check;
+            let why = if row.passes() { String::new() } else { format!("         bound: {why}\n") };
+            let (bound, measured) = (bound.to_string(), number(*measured));
+            format!("{group:8} {name:NAME$} {bound:>11} {measured:>10} {unit:7} {verdict}\n{why}")
+        }
+        Err(why) => format!("{group:8} {name:NAME$} {why} {verdict}\n"),
+    }
+}
+
+fn write(path: &std::path::Path, rows: &[Row]) -> Result<(), InputError> {
+    let file = OutputFile::create(path)?;
+    let mut writer = csv::Writer::from_writer(file);
+    let fault = |error: csv::Error| {
+        let complaint = Complaint::new(format!("cannot be written: {error}"), "");
+        InputError::file(&path.display().to_string(), complaint)
+    };
+    let header = ["group", "case", "bound", "measured", "unit", "verdict"];
+    writer.write_record(header).map_err(fault)?;
+    for row in rows {
+        let (bound, measured, unit) = match &row.check {
+            Ok(check) => (digits(check.bound.value()), digits(check.measured), check.unit),
+            Err(_) => Default::default(),
+        };
+        let record = [row.group, &row.name(), &bound, &measured, unit, row.verdict()];
+        writer.write_record(record).map_err(fault)?;
+    }
+    let file = writer.into_inner().map_err(|error| fault(error.into_error().into()))?;
+    file.finish()
+}
+
+/// With the digits that bring back its bits.
+fn digits(x: f64) -> String {
+    zmij::Buffer::new().format(x).to_owned()
+}

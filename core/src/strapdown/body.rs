@@ -209,9 +209,8 @@ impl<R: Real, const N: usize> Series<R, N> {
     /// their difference σ = −1.
     #[inline(always)]
     fn sum(&mut self, last: usize) {
-        let pairs = self.terms.get(1..).unwrap_or(&[]).chunks_exact(2);
-        for pair in pairs.take(last.div_ceil(2)).rev() {
-            if let [odd, even] = pair {
+        for n in (0..last.div_ceil(2)).rev() {
+            if let Some([odd, even]) = self.terms.get(2 * n + 1..2 * n + 3) {
                 self.odd = self.odd.zip(*odd, |a, b| a + b);
                 self.even = self.even.zip(*even, |a, b| a + b);
             }

@@ -43,7 +43,7 @@ impl<R: Real> Latitude<R> {
         self.predict();
         let mut newton = self.correct(axis_distance, z);
         // The rest of one step is the square of its correction: below this it is rounding.
-        let bound = R::entry(1e-5, 1e-7);
+        let bound = R::entry(1e-5, 5e-7);
         let mut cold = bound.less(newton.error.abs());
         // After a leap the change foretells nothing.
         let leap = R::of(LEAP).less(newton.error.abs());

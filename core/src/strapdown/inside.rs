@@ -81,9 +81,8 @@ impl<R: Real, const N: usize> Series<R, N> {
     fn halves(&self, sigma: R) -> (Term<R>, Term<R>) {
         let square = R::Twin::both(sigma * sigma);
         let (mut even, mut odd) = (Term::zero(), Term::zero());
-        let pairs = self.terms.get(1..).unwrap_or(&[]).chunks_exact(2);
-        for pair in pairs.take(self.last.div_ceil(2)).rev() {
-            if let [next_odd, next_even] = pair {
+        for n in (0..self.last.div_ceil(2)).rev() {
+            if let Some([next_odd, next_even]) = self.terms.get(2 * n + 1..2 * n + 3) {
                 odd = odd.zip(*next_odd, |sum, x| sum * square + x);
                 even = even.zip(*next_even, |sum, x| (sum + x) * square);
             }

@@ -200,12 +200,14 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         all: usize,
         read: &mut impl Read<F::Output>,
     ) {
+        let is_first = history == 0 && block == W::BLOCK && all == W::FIRST;
         let begin = state.filled.saturating_sub(state.pending + history);
         let samples = state.samples;
         let window = samples.as_ref().get(begin..begin + all).unwrap_or(&[]);
         let own = window.get(history..history + block).unwrap_or(&[]);
         let time = BlockTime::new(self.interval, block);
-        let (fit, sum) = Fit::<R, MOST_SAMPLES>::of_any(window, history, block);
+        let first = if is_first { W::first_fit(window) } else { None };
+        let (fit, sum) = first.unwrap_or_else(|| Fit::of_any(window, history, block));
         let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::rounded(sum) };
         let (body, series) = body::integrate::<R, MOST_SAMPLES, { EDGE_TERMS + 1 }>(
             &fit, &sum, time.half, EDGE_TERMS,

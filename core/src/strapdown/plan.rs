@@ -38,18 +38,35 @@ pub struct Flight {
 /// A window with the largest x = Λh and the longest block, s, that it is planned for.
 struct Candidate(Shape, f64, f64);
 
-/// In double precision, the cheapest first.
-const EARTH_FIXED: [Candidate; 6] =
-    [Candidate((0, 40, 0), 0.0, 4.0), Candidate((0, 20, 0), 1.3e-4, 1.0), LINE, FOUR, EIGHT, ALL];
-const LOCAL_LEVEL: [Candidate; 5] = [Candidate((0, 20, 0), 0.0, 4.0), LINE, FOUR, EIGHT, ALL];
+/// In double precision, the cheapest first: gravity's third difference is the last that counts in blocks
+/// of up to two seconds at rest, of one second in motion.
+const EARTH_FIXED: &[Candidate] = &[
+    Candidate((0, 40, 0), 0.0, 2.0),
+    Candidate((0, 20, 0), 1.3e-4, 1.0),
+    LINE,
+    FOUR,
+    TWO,
+    LONG_FOUR,
+    EIGHT,
+    ALL,
+];
+const LOCAL_LEVEL: &[Candidate] =
+    &[Candidate((0, 20, 0), 0.0, 2.0), LINE, FOUR, TWO, LONG_FOUR, EIGHT, ALL];
 /// In single precision a long block rounds more at once, always the same way where nothing changes.
-const SINGLE: [Candidate; 5] =
-    [Candidate((0, 4, 0), 0.0, f64::INFINITY), Candidate((0, 12, 0), 2e-4, 1.0), FOUR, EIGHT, ALL];
+const SINGLE: &[Candidate] = &[
+    Candidate((0, 4, 0), 0.0, 2.0),
+    Candidate((0, 12, 0), 2e-4, 1.0),
+    FOUR,
+    LONG_FOUR,
+    EIGHT,
+    ALL,
+];
+const TWO_FLOAT: &[Candidate] = &[LONG_FOUR, EIGHT, ALL];
 
-const TWO_FLOAT: [Candidate; 3] = [FOUR, EIGHT, ALL];
-
-const LINE: Candidate = Candidate((0, 8, 0), 2e-4, f64::INFINITY);
-const FOUR: Candidate = Candidate((0, 4, 0), 0.03, f64::INFINITY);
+const LINE: Candidate = Candidate((0, 8, 0), 2e-4, 2.0);
+const FOUR: Candidate = Candidate((0, 4, 0), 0.03, 2.0);
+const TWO: Candidate = Candidate((0, 2, 0), 2e-4, f64::INFINITY);
+const LONG_FOUR: Candidate = Candidate((0, 4, 0), 0.03, f64::INFINITY);
 const EIGHT: Candidate = Candidate((2, 4, 2), 0.4, f64::INFINITY);
 const ALL: Candidate = Candidate(WIDEST, f64::INFINITY, f64::INFINITY);
 /// Twelve samples, the widest.
@@ -58,10 +75,10 @@ const WIDEST: Shape = (4, 4, 4);
 /// The window for a flight.
 pub fn window(flight: &Flight) -> Shape {
     let candidates: &[Candidate] = match (flight.digits, flight.earth_fixed) {
-        (Digits::Double, true) => &EARTH_FIXED,
-        (Digits::Double, false) => &LOCAL_LEVEL,
-        (Digits::Single, _) => &SINGLE,
-        (Digits::TwoFloat, _) => &TWO_FLOAT,
+        (Digits::Double, true) => EARTH_FIXED,
+        (Digits::Double, false) => LOCAL_LEVEL,
+        (Digits::Single, _) => SINGLE,
+        (Digits::TwoFloat, _) => TWO_FLOAT,
     };
     let x = flight.bandwidth * flight.interval_s;
     let suits = |&&Candidate((_, block, _), most, longest_s): &&Candidate| {
@@ -78,15 +95,17 @@ pub const HIGHEST_ORDER: usize = 20;
 
 /// The order of a block's series that reaches the rounding floor, at most: a window may have fewer terms.
 pub fn order(flight: &Flight, (history, block, lookahead): Shape) -> usize {
-    // The products that an order leaves out turn what changes by xᵐ/(m + 1)! of the force by w: w the
-    // rotation over half the block, x the phase of the fastest motion.
+    // Of constant force, turned by w over half the block, order 3 leaves out 2w⁴/5!. Of a force that
+    // changes, the products that an order m leaves out turn by w what is no more than xᵐ/(m + 1)! of it,
+    // x the phase of the fastest motion.
     let half_s = 0.5 * block as f64 * flight.interval_s;
     let w = half_s * flight.angular_rate;
     let x = w.max(half_s * flight.bandwidth);
     let rest = |order: usize| (1..=order).fold(w, |rest, m| rest * x / (m + 1) as f64);
+    let digits = if flight.digits == Digits::Single { 1e6 } else { 1.0 };
     // The products with the fit's last coefficient are the last that count, unless motion is violent.
-    let whole = history + block + lookahead + 1;
-    if rest(3) <= if flight.digits == Digits::Single { 1e-10 } else { 3e-14 } {
+    let whole = if history == 0 && block >= LINE.0.1 { 4 } else { history + block + lookahead + 1 };
+    if w * w * w * w / 60.0 <= 3e-16 * digits && rest(3) <= 3e-14 * digits {
         3
     } else if rest(whole) <= 1e-10 {
         whole

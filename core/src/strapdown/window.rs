@@ -42,6 +42,11 @@ pub trait Window: Copy + Default + 'static {
     /// The room, filled.
     fn samples<T: Copy>(fill: T) -> Self::Samples<T>;
 
+    /// The fit of the first block and its sum, where a window wants history; `None` if it wants none or
+    /// the samples are fewer than [`Window::FIRST`].
+    fn first_fit<R: Real>(samples: &[Increment<R>])
+    -> Option<(Fit<R, MOST_SAMPLES>, Increment<R>)>;
+
     /// Integrates the block within the window's samples by a series up to σ^`order`; `None` if the
     /// samples are too few. With `two_float` the motion comes with what rounding drops from it.
     fn integrate<R: Real>(
@@ -84,6 +89,17 @@ macro_rules! windows {
                 #[inline]
                 fn samples<T: Copy>(fill: T) -> Self::Samples<T> {
                     [fill; capacity($h, $b, $a)]
+                }
+
+                #[inline]
+                fn first_fit<R: Real>(
+                    samples: &[Increment<R>],
+                ) -> Option<(Fit<R, MOST_SAMPLES>, Increment<R>)> {
+                    const SINGLE: &[[f32; MOST_SAMPLES]; MOST_SAMPLES] = &table_f32(0, $b);
+                    const DOUBLE: &[[f64; MOST_SAMPLES]; MOST_SAMPLES] = &table_f64(0, $b);
+                    const { assert!($h == 0 || Self::FIRST == MOST_SAMPLES) };
+                    let samples = samples.first_chunk::<MOST_SAMPLES>().filter(|_| $h > 0)?;
+                    Some(Fit::of(samples, 0, $b, SINGLE, DOUBLE))
                 }
 
                 #[inline(always)]

@@ -123,7 +123,9 @@ fn every_navigator() -> Vec<(Navigator, WindowShape)> {
 /// Impossible numbers on each input between good samples: each refused by its kind, and every state and
 /// row afterwards that of a flight without them.
 fn refused(progress: &CaseProgress) -> Outcome {
-    let scene = built_in("manoeuvre", |scene| scene.duration_s = 1.0)?;
+    let scene = built_in("manoeuvre", |scene| {
+        (scene.duration_s, scene.rate_hz) = (1.0, 200.0);
+    })?;
     let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
     let initial = source.motion(0).initial();
     let interval_s = Pair::new(scene.rate_hz).reciprocal();

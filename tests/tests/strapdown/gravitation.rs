@@ -64,7 +64,7 @@ fn from_a_cold_start_anywhere() {
         // A block's way off, 600 m, the first answer is right; 60 km off, the second is.
         let mut near = at((place.latitude + numbers.within(1e-4)).to_degrees());
         let gap = miss(&mut near, r);
-        // Just under 1e-7 rad no second step is taken, and h is 3e-8 m off.
+        // Just under 5e-7 rad no second step is taken.
         assert!(gap <= 1.2e-13, "{place:?}: {gap:e}");
         let mut far = at((place.latitude + numbers.within(1e-2)).to_degrees());
         let first = miss(&mut far, r);

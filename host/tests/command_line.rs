@@ -40,11 +40,10 @@ fn definitions_are_consistent_and_help_has_examples() {
         help.starts_with("Flies a strapdown") && help.contains("Examples:\n  schuler "),
         "{help}"
     );
-    for name in ["run", "emulate", "replay", "frontier", "scenes"] {
+    for name in ["run", "emulate", "replay", "frontier", "ensemble", "scenes"] {
         let help = command.find_subcommand_mut(name).expect(name).render_help().to_string();
         assert!(help.contains(&format!("\n  schuler {name}")), "{help}");
-        let about =
-            ["Fly a scene", "Write the", "Navigate a", "Measure run time", "List the built-in"];
+        let about = ["Fly ", "Write the", "Navigate a", "Measure run time", "List the built-in"];
         assert!(about.iter().any(|about| help.starts_with(about)), "{help}");
     }
 }

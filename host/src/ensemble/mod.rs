@@ -60,7 +60,8 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let mut text = table::table(&comparisons, args.runs);
     if flown.saturated > 0 {
         let samples = flown.saturated;
-        text += &format!("a sensor was at its limit in {samples} samples, which theory leaves out\n");
+        text +=
+            &format!("a sensor was at its limit in {samples} samples, which theory leaves out\n");
     }
     text += &speed(args.runs, took, unit, threads, pace::navigation_ns(&ground, unit)?);
     text += &format!("written to {}\n", directory.display());

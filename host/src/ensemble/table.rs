@@ -79,7 +79,8 @@ fn every_instant(
         let Some(first) = instant.first() else { continue };
         text += &format!("{:>9} ", parameter(first.time_s));
         for c in *instant {
-            let cell = if c.tests.is_some() { format!("{:.2}", value(c)) } else { "–".to_owned() };
+            let cell =
+                if c.tests.is_some() { format!("{:.2}", value(c)) } else { "–".to_owned() };
             text += &format!("{cell:>10}");
         }
         text.push('\n');
@@ -98,7 +99,9 @@ fn verdict(comparisons: &[Comparison]) -> String {
     let (name, time_s, what) = (COMPONENTS[component], parameter(time_s), TESTED[which]);
     let worst = format!("{what} of {name} at {time_s} s, p = {}", rounded(probability, 2));
     if failed == 0 {
-        format!("The ensemble agrees with theory at {confidence} %: {tests} tests, the least likely the {worst}\n")
+        format!(
+            "The ensemble agrees with theory at {confidence} %: {tests} tests, the least likely the {worst}\n"
+        )
     } else {
         format!(
             "The ensemble does not agree with theory at {confidence} %: {failed} of {tests} tests fail, \

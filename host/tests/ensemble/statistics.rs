@@ -106,7 +106,7 @@ fn an_ensemble_agrees_with_its_own_theory_and_with_no_other() {
     assert!(verdict.failed > 0 && worst.1 == 0, "the mean: {verdict:?}");
 
     let mut noisier = scene.clone();
-    noisier.gyro.white = scene.gyro.white.map(|white| white.map(|n| 2.0 * n));
+    noisier.gyro.white = scene.gyro.white.map(|white| white.map(|n| 4.0 * n));
     let mut compared = compared(&noisier);
     let verdict = Verdict::new(&compared);
     let worst = verdict.worst.unwrap();

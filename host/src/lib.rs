@@ -3,6 +3,7 @@
 pub mod cli;
 pub mod emulate;
 pub mod emulator;
+pub mod ensemble;
 pub mod flight;
 pub mod frontier;
 pub mod gap;

@@ -1,5 +1,6 @@
 //! The core's navigators behind one face: frame, precision, algorithm and window chosen at run time.
 
+use crate::lanes;
 use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
 use schuler::digest::Digest;
 use schuler::math::compensated::{Pair, TwoFloat};
@@ -22,9 +23,13 @@ use schuler::strapdown::window::*;
 pub type Reader<'a> = dyn FnMut(u64, &Solution<f64>) + 'a;
 
 /// A navigator in flight. Samples come in double precision and are narrowed with a carried rest.
-pub trait Navigate {
+pub trait Navigate: Send {
     /// Takes a sample, and reads the rows that it completes.
     fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected>;
+    /// Takes samples without reading a row; stops before one that is refused.
+    fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), lanes::Refused>;
+    /// Navigation at the end of the last block.
+    fn solution(&self) -> Solution<f64>;
     /// Completes the rows that wait for samples.
     fn finish(&mut self, read: &mut Reader);
     /// Sets height and vertical velocity at the end of the last block.
@@ -48,7 +53,7 @@ struct Flying<M: Mechanization> {
 
 impl<M> Flying<M>
 where
-    M: Mechanization<Real: Scalar, Frame: Record> + 'static,
+    M: Mechanization<Real: Scalar + Send, Frame: Record, State: Send> + Send + 'static,
 {
     fn boxed(mechanization: M, initial: &Solution<f64>) -> Result<Box<dyn Navigate>, StartError> {
         let initial = Solution::narrow(initial);
@@ -58,9 +63,23 @@ where
     }
 }
 
+/// Takes samples without reading a row; stops before one that is refused.
+#[inline(never)]
+fn fly<M: Mechanization>(
+    mechanization: &M,
+    state: &mut M::State,
+    samples: &[Increment<M::Real>],
+) -> Result<(), lanes::Refused> {
+    for (taken, &sample) in samples.iter().enumerate() {
+        let pushed = mechanization.push(state, sample);
+        pushed.map_err(|reason| lanes::Refused { taken, reason })?;
+    }
+    Ok(())
+}
+
 impl<M> Navigate for Flying<M>
 where
-    M: Mechanization<Real: Scalar, Frame: Record> + 'static,
+    M: Mechanization<Real: Scalar + Send, Frame: Record, State: Send> + Send + 'static,
 {
     fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected> {
         let mut carried = self.carried;
@@ -72,6 +91,15 @@ where
             self.digest.add(M::frame(&self.state));
         }
         Ok(())
+    }
+
+    fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), lanes::Refused> {
+        let samples: Vec<_> = samples.iter().map(|sample| self.carried.narrow(sample)).collect();
+        fly(&self.mechanization, &mut self.state, &samples)
+    }
+
+    fn solution(&self) -> Solution<f64> {
+        self.mechanization.output(&self.state).wide()
     }
 
     fn finish(&mut self, read: &mut Reader) {
@@ -97,10 +125,8 @@ where
         let samples: Vec<_> = samples.iter().map(|s| carried.narrow::<M::Real>(s)).collect();
         Box::new(move || {
             if let Ok(mut state) = self.mechanization.start(&self.initial) {
-                for &sample in &samples {
-                    // What cannot be right was refused in the run itself.
-                    let _ = self.mechanization.push(&mut state, sample);
-                }
+                // What cannot be right was refused in the run itself.
+                let _ = fly(&self.mechanization, &mut state, &samples);
                 std::hint::black_box(&state);
             }
         })
@@ -204,7 +230,7 @@ fn taylor<F>(
     initial: &Solution<f64>,
 ) -> Result<Box<dyn Navigate>, Unavailable>
 where
-    F: schuler::strapdown::frame::Frame<Real: Scalar> + Record + 'static,
+    F: schuler::strapdown::frame::Frame<Real: Scalar + Send> + Record + Send + 'static,
 {
     with_window!(F, shape, order, interval_s, initial;
         H0B2A0, H0B3A0, H0B4A0, H0B6A0, H2B2A0, H2B2A2, H2B4A0, H4B4A0, H2B4A2, H4B4A4, Line8,
@@ -219,7 +245,7 @@ pub(crate) fn taylor_compared<F>(
     initial: &Solution<f64>,
 ) -> Result<Box<dyn Navigate>, Unavailable>
 where
-    F: schuler::strapdown::frame::Frame<Real: Scalar> + Record + 'static,
+    F: schuler::strapdown::frame::Frame<Real: Scalar + Send> + Record + Send + 'static,
 {
     with_window!(F, shape, order, interval_s, initial; H0B4A0, H2B4A2, Line8)
 }
@@ -230,7 +256,7 @@ pub(crate) fn textbook<F>(
     initial: &Solution<f64>,
 ) -> Result<Box<dyn Navigate>, Unavailable>
 where
-    F: TextbookFrame<Real: Scalar> + Record + 'static,
+    F: TextbookFrame<Real: Scalar + Send> + Record + Send + 'static,
 {
     Ok(Flying::boxed(Textbook::<F>::new(interval_s)?, initial)?)
 }

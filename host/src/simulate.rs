@@ -235,7 +235,7 @@ fn push(
 }
 
 /// The truth, off by the scene's initial error; what is held is not off.
-fn offset(truth: &Solution<f64>, scene: &Scene) -> Solution<f64> {
+pub fn offset(truth: &Solution<f64>, scene: &Scene) -> Solution<f64> {
     let mut error = scene.initial_error;
     if scene.navigator.vertical == Vertical::Held {
         (error.position_m[2], error.velocity_m_s[2]) = (0.0, 0.0);
@@ -267,7 +267,8 @@ fn instant(source: &Source, theory: &mut Theory, sample: u64, computed: &Solutio
     }
 }
 
-fn nine(drift: &Drift) -> Nine {
+/// A drift in the units of files.
+pub fn nine(drift: &Drift) -> Nine {
     Nine {
         position_m: drift.position_ned.into_array(),
         velocity_m_s: drift.velocity_ned.into_array(),

@@ -141,14 +141,20 @@ pub struct Samples<'a> {
 impl Samples<'_> {
     /// The next sample; `None` if the link lost it.
     pub fn advance(&mut self) -> Option<Increment<f64>> {
-        let source = self.source;
         let from_s = self.end_s;
         self.step();
-        let mut increment = source.perfect(from_s, self.end_s);
-        if let (Some(emulator), Some(state)) = (&source.emulator, &mut self.state) {
-            increment = emulator.emulate(state, &increment);
-        }
+        let perfect = self.source.perfect(from_s, self.end_s);
+        let increment = self.sense(&perfect);
         self.arrives().then_some(increment)
+    }
+
+    /// What the sensors make of the next sample's perfect increment, which runs may share: a link
+    /// that loses or delays samples is not asked.
+    pub fn sense(&mut self, perfect: &Increment<f64>) -> Increment<f64> {
+        match (&self.source.emulator, &mut self.state) {
+            (Some(emulator), Some(state)) => emulator.emulate(state, perfect),
+            _ => *perfect,
+        }
     }
 
     /// The next sample as instantaneous rates at its end; `None` if the link lost it.

@@ -40,11 +40,11 @@ fn definitions_are_consistent_and_help_has_examples() {
         help.starts_with("Flies a strapdown") && help.contains("Examples:\n  schuler "),
         "{help}"
     );
-    for name in ["run", "emulate", "replay", "frontier", "stress", "scenes"] {
+    for name in ["run", "emulate", "replay", "frontier", "stress", "ensemble", "scenes"] {
         let help = command.find_subcommand_mut(name).expect(name).render_help().to_string();
         assert!(help.contains(&format!("\n  schuler {name}")), "{help}");
         let about = [
-            "Fly a scene",
+            "Fly ",
             "Write the",
             "Navigate a",
             "Run the table",

@@ -44,6 +44,8 @@ pub enum Command {
     Frontier(FrontierArgs),
     /// Run the table of numerical stability, each row against its bound
     Stress(StressArgs),
+    /// Fly many runs of a scene: does their drift scatter as theory says?
+    Ensemble(EnsembleArgs),
     /// List the built-in scenes
     #[command(after_help = "Example:\n  schuler scenes")]
     Scenes,
@@ -203,6 +205,36 @@ pub struct StressArgs {
     /// Folder for stress.csv
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+/// Options of `ensemble`.
+#[derive(Args, Clone, Debug, PartialEq)]
+#[command(after_help = "Example:\n  schuler ensemble paper --runs 1000")]
+pub struct EnsembleArgs {
+    /// A built-in scene with random errors, or the path of a TOML file [default: paper]
+    pub scene: Option<String>,
+    /// How many runs to fly, numbered from 0: what `run` flies is the first
+    #[arg(long, value_name = "N", default_value = "64", allow_negative_numbers = true, value_parser = options::runs)]
+    pub runs: u64,
+    /// Folder for ensemble.csv [default: out/ and the name of the scene]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// What replaces the scene's own values.
+    #[command(flatten)]
+    pub flight: FlightOptions,
+    /// How to navigate.
+    #[command(flatten)]
+    pub navigator: NavigatorOptions,
+}
+
+impl EnsembleArgs {
+    /// The scene, with every option applied.
+    pub fn scene(&self) -> Result<Scene, InputError> {
+        let mut scene = load(self.scene.as_deref())?;
+        self.flight.apply(&mut scene)?;
+        self.navigator.apply(&mut scene.navigator)?;
+        Ok(scene)
+    }
 }
 
 fn load(name: Option<&str>) -> Result<Scene, InputError> {

@@ -1,0 +1,101 @@
+//! `schuler ensemble`: many runs of a scene, whose drift is compared with what theory expects.
+//!
+//! Runs differ in what is drawn from the seed: turn-on biases, Gauss-Markov processes, noise. All fly
+//! the same motion, whose truth and perfect increments are worked out once.
+
+mod check;
+pub mod csv;
+pub mod fleet;
+pub mod group;
+pub mod pace;
+pub mod statistics;
+pub mod table;
+
+pub use check::check;
+
+use crate::cli::EnsembleArgs;
+use crate::output::{OutputFile, say};
+use crate::progress::Progress;
+use crate::report::number::{rounded, short};
+use crate::simulate::FlightError;
+use crate::source::{Source, SourceError};
+use crate::theory::Theory;
+use group::{Ground, Unit};
+use std::num::NonZero;
+use std::path::PathBuf;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// At how many times the drift is compared.
+const INSTANTS: u64 = 8;
+
+/// Flies, prints the comparison and writes `ensemble.csv`.
+pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
+    let scene = args.scene()?;
+    check(&scene)?;
+    let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
+    let source = Source::new(&scene, false)?;
+    let mut theory = Theory::new(&scene).map_err(SourceError::Trajectory)?;
+    let ground = Ground::new(&scene, &source);
+    let unit = ground.fastest();
+    // A scene that cannot start, or a file that cannot be written, is found before the long work.
+    ground.start(Unit::Alone, 0..1)?;
+    let file = OutputFile::create(directory.join("ensemble.csv"))?;
+
+    let groups = args.runs.div_ceil(unit.runs() as u64);
+    let cores = thread::available_parallelism().map_or(1, NonZero::get);
+    let threads = cores.min(usize::try_from(groups).unwrap_or(usize::MAX));
+    let progress = Progress::new(scene.samples() * args.runs);
+    let begin = Instant::now();
+    let flown = fleet::fly(&ground, args.runs, unit, threads, INSTANTS, &|samples| {
+        // The bar moves at whole blocks of samples only.
+        progress.reach(samples * args.runs / 4096 * 4096);
+    })?;
+    let took = begin.elapsed();
+    progress.finish();
+
+    let comparisons =
+        statistics::compare(&flown.readings, |sample| source.time_s(sample), &mut theory);
+    file.fill(csv::bytes(&comparisons))?;
+    let mut text = table::table(&comparisons, args.runs);
+    if flown.saturated > 0 {
+        let samples = flown.saturated;
+        text +=
+            &format!("a sensor was at its limit in {samples} samples, which theory leaves out\n");
+    }
+    text += &speed(args.runs, took, unit, threads, pace::navigation_ns(&ground, unit)?);
+    text += &format!("written to {}\n", directory.display());
+    say(&text)?;
+    Ok(())
+}
+
+/// What it took, and what flying side by side is worth.
+fn speed(
+    runs: u64,
+    took: Duration,
+    unit: Unit,
+    threads: usize,
+    [abreast_ns, alone_ns]: [f64; 2],
+) -> String {
+    let seconds = took.as_secs_f64();
+    let cores = if threads == 1 { "1 core" } else { &format!("{threads} cores") };
+    let side = match unit {
+        Unit::Alone => "one at a time".to_owned(),
+        unit => format!("{} side by side", unit.runs()),
+    };
+    let registers = if unit.is_in_registers() { " in AVX2 registers" } else { "" };
+    let rate = short(runs as f64 / seconds);
+    let seconds = rounded(seconds, 3);
+    let alone = rounded(alone_ns, 3);
+    let navigation = match unit {
+        Unit::Alone => format!("navigation: {alone} ns per sample and run\n"),
+        _ => format!(
+            "navigation: {} ns per sample and run abreast, {alone} alone: {} times the throughput\n",
+            rounded(abreast_ns, 3),
+            rounded(alone_ns / abreast_ns, 3)
+        ),
+    };
+    format!(
+        "{runs} runs in {seconds} s: {rate} per second, {side} on each of {cores}{registers}\n{navigation}"
+    )
+}

@@ -1,0 +1,28 @@
+//! What navigation costs abreast and alone: the same samples, in turns, on one core.
+
+use super::group::{Ground, Unit};
+use crate::navigator::Unavailable;
+use crate::timing;
+
+/// Samples of a pass, at most: those of four runs stay in the second cache.
+const SAMPLES: u64 = 640;
+/// How often abreast and alone take turns.
+const TURNS: usize = 15;
+
+/// Navigation at block ends with no row read, ns per sample and run, in a unit and alone: the median
+/// over the turns.
+pub fn navigation_ns(ground: &Ground, unit: Unit) -> Result<[f64; 2], Unavailable> {
+    let perfect = timing::perfect(ground.source, ground.scene.samples().min(SAMPLES));
+    let mut turns = [[0.0; TURNS]; 2];
+    for turn in 0..TURNS {
+        for (ns, unit) in turns.iter_mut().zip([unit, Unit::Alone]) {
+            if let Some(mut group) = ground.start(unit, 0..unit.runs() as u64)? {
+                ns[turn] = group.navigation_ns(&perfect);
+            }
+        }
+    }
+    Ok(turns.map(|mut ns| {
+        ns.sort_by(f64::total_cmp);
+        ns[TURNS / 2]
+    }))
+}

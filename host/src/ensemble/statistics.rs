@@ -1,0 +1,155 @@
+//! Mean and spread of the drift over the runs, and whether they are what theory expects.
+//!
+//! Of n runs with mean m and standard deviation s, where theory says μ and σ: n(m − μ)²/σ² is χ² with
+//! one degree of freedom, (n − 1)s²/σ² is χ² with n − 1.
+
+use super::fleet::Reading;
+use crate::flight::Nine;
+use crate::simulate::nine;
+use crate::theory::Theory;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+/// The components as files name them.
+pub const COMPONENTS: [&str; 9] = [
+    "north_m",
+    "east_m",
+    "down_m",
+    "north_m_s",
+    "east_m_s",
+    "down_m_s",
+    "roll_arcsec",
+    "pitch_arcsec",
+    "yaw_arcsec",
+];
+
+/// What theory says scatters less than this is left to rounding, m, m/s, arcsec.
+const LEAST_SIGMA: [f64; 3] = [1e-6, 1e-8, 1e-5];
+
+/// The probability that an ensemble which follows theory is found not to.
+pub const RISK: f64 = 1e-3;
+
+/// A statistic, and how often chance alone would lie that far out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Test {
+    /// χ².
+    pub chi_square: f64,
+    /// Two-sided probability.
+    pub probability: f64,
+}
+
+/// One component at one instant; m, m/s, arcsec.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
+    /// Seconds since the start.
+    pub time_s: f64,
+    /// Which of [`COMPONENTS`].
+    pub component: usize,
+    /// Over the runs.
+    pub mean: f64,
+    /// What theory expects of it.
+    pub mean_theory: f64,
+    /// Standard deviation over the runs, about their own mean.
+    pub sigma: f64,
+    /// What theory expects of it.
+    pub sigma_theory: f64,
+    /// Of mean and standard deviation; absent where theory sees nothing scatter.
+    pub tests: Option<[Test; 2]>,
+}
+
+impl Comparison {
+    /// Of one component's values over the runs.
+    fn new(time_s: f64, component: usize, values: &[f64], [mu, sigma_theory]: [f64; 2]) -> Self {
+        let n = values.len() as f64;
+        // About theory's mean first, so that a large mean costs no digits.
+        let gain = values.iter().map(|x| x - mu).sum::<f64>() / n;
+        let squares: f64 = values.iter().map(|x| (x - mu - gain) * (x - mu - gain)).sum();
+        let freedom = n - 1.0;
+        let variance = sigma_theory * sigma_theory;
+        let tests = (sigma_theory >= LEAST_SIGMA[component / 3]).then(|| {
+            let of_mean = n * gain * gain / variance;
+            let of_sigma = squares / variance;
+            let (below, above) = tails(freedom, of_sigma);
+            [
+                Test { chi_square: of_mean, probability: tails(1.0, of_mean).1 },
+                Test { chi_square: of_sigma, probability: (2.0 * below.min(above)).min(1.0) },
+            ]
+        });
+        Self {
+            time_s,
+            component,
+            mean: mu + gain,
+            mean_theory: mu,
+            sigma: (squares / freedom).sqrt(),
+            sigma_theory,
+            tests,
+        }
+    }
+}
+
+/// How much of χ² lies below and above a value; NaN of what is no number.
+fn tails(freedom: f64, chi_square: f64) -> (f64, f64) {
+    match ChiSquared::new(freedom) {
+        Ok(law) if chi_square.is_finite() => (law.cdf(chi_square), law.sf(chi_square)),
+        _ => (f64::NAN, f64::NAN),
+    }
+}
+
+/// Every component of every reading.
+pub fn compare(
+    readings: &[Reading],
+    time_s: impl Fn(u64) -> f64,
+    theory: &mut Theory,
+) -> Vec<Comparison> {
+    let mut comparisons = Vec::new();
+    for reading in readings {
+        let time_s = time_s(reading.samples);
+        let expected = theory.at(time_s);
+        let (mean, sigma) = (numbers(&nine(&expected.mean)), numbers(&nine(&expected.sigma)));
+        let runs: Vec<_> = reading.drifts.iter().map(|drift| numbers(&nine(drift))).collect();
+        for component in 0..COMPONENTS.len() {
+            let values: Vec<_> = runs.iter().map(|run| run[component]).collect();
+            let theory = [mean[component], sigma[component]];
+            comparisons.push(Comparison::new(time_s, component, &values, theory));
+        }
+    }
+    comparisons
+}
+
+/// In the order of [`COMPONENTS`].
+fn numbers(nine: &Nine) -> [f64; 9] {
+    let parts = [nine.position_m, nine.velocity_m_s, nine.attitude_arcsec];
+    std::array::from_fn(|i| parts[i / 3][i % 3])
+}
+
+/// Whether an ensemble follows theory: each of its tests at the level that makes [`RISK`] of all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verdict {
+    /// How many tests there are.
+    pub tests: usize,
+    /// How many fail.
+    pub failed: usize,
+    /// The least probable: its place among the comparisons, and which of the two tests.
+    pub worst: Option<(usize, usize, f64)>,
+}
+
+impl Verdict {
+    /// Of all comparisons. What is no number fails.
+    pub fn new(comparisons: &[Comparison]) -> Self {
+        let all: Vec<_> = comparisons
+            .iter()
+            .enumerate()
+            .flat_map(|(place, comparison)| {
+                let tests = comparison.tests.into_iter().flatten().enumerate();
+                tests.map(move |(which, test)| (place, which, test.probability))
+            })
+            .collect();
+        let level = RISK / all.len() as f64;
+        let passes = |probability: f64| probability >= level;
+        let rank = |probability: f64| if probability.is_nan() { -1.0 } else { probability };
+        Self {
+            tests: all.len(),
+            failed: all.iter().filter(|(.., probability)| !passes(*probability)).count(),
+            worst: all.iter().copied().min_by(|a, b| rank(a.2).total_cmp(&rank(b.2))),
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! The ensemble beside theory, as a table.
+
+use super::statistics::{COMPONENTS, Comparison, RISK, Test, Verdict};
+use crate::report::number::{parameter, rounded, short};
+
+/// Characters of a line.
+const WIDTH: usize = 103;
+/// What each of a comparison's tests is about.
+const TESTED: [&str; 2] = ["mean", "standard deviation"];
+
+/// The end in numbers, every instant as ratios, the verdict.
+pub fn table(comparisons: &[Comparison], runs: u64) -> String {
+    let instants: Vec<&[Comparison]> = comparisons.chunks(COMPONENTS.len()).collect();
+    let mut text = String::new();
+    if let Some(end) = instants.last() {
+        text += &at_end(end);
+    }
+    text += &every_instant(
+        "\nStandard deviation over theory's",
+        &instants,
+        |c| c.sigma / c.sigma_theory,
+        &format!("chance alone: 1 ± {}", rounded((0.5 / (runs as f64 - 1.0)).sqrt(), 2)),
+    );
+    text += &every_instant(
+        "\nMean less theory's, in standard errors",
+        &instants,
+        |c| (c.mean - c.mean_theory) / c.sigma_theory * (runs as f64).sqrt(),
+        "chance alone: 0 ± 1",
+    );
+    text + "\n" + &verdict(comparisons)
+}
+
+fn at_end(end: &[Comparison]) -> String {
+    let time_s = end.first().map_or(0.0, |c| c.time_s);
+    let mut text = format!(
+        "{:<14}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n{}\n",
+        format!("at {} s", parameter(time_s)),
+        "mean",
+        "theory",
+        "std dev",
+        "theory",
+        "χ² of mean",
+        "of std dev",
+        "p of both",
+        "─".repeat(WIDTH)
+    );
+    for c in end {
+        let tests = c.tests.map(|tests| tests.map(|t: Test| short(t.chi_square)));
+        let [mean, sigma] = tests.unwrap_or(["–", "–"].map(str::to_owned));
+        let both = c.tests.map_or("–".to_owned(), |[m, s]| {
+            format!("{} {}", rounded(m.probability, 2), rounded(s.probability, 2))
+        });
+        text += &format!(
+            "{:<14}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n",
+            COMPONENTS[c.component],
+            short(c.mean),
+            short(c.mean_theory),
+            short(c.sigma),
+            short(c.sigma_theory),
+            mean,
+            sigma,
+            both
+        );
+    }
+    text
+}
+
+/// A row per instant, a column per component.
+fn every_instant(
+    title: &str,
+    instants: &[&[Comparison]],
+    value: impl Fn(&Comparison) -> f64,
+    chance: &str,
+) -> String {
+    let mut text = format!("{title} ({chance})\n{:>9} ", "s");
+    text += &COMPONENTS.map(|name| format!("{:>10}", name.trim_end_matches("_arcsec"))).concat();
+    text += &format!("\n{}\n", "─".repeat(WIDTH));
+    for instant in instants {
+        let Some(first) = instant.first() else { continue };
+        text += &format!("{:>9} ", parameter(first.time_s));
+        for c in *instant {
+            let cell =
+                if c.tests.is_some() { format!("{:.2}", value(c)) } else { "–".to_owned() };
+            text += &format!("{cell:>10}");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Whether the ensemble agrees with theory, in a line.
+fn verdict(comparisons: &[Comparison]) -> String {
+    let Verdict { tests, failed, worst } = Verdict::new(comparisons);
+    let confidence = parameter(100.0 * (1.0 - RISK));
+    let Some((place, which, probability)) = worst else {
+        return "theory sees nothing scatter: nothing to compare\n".to_owned();
+    };
+    let Comparison { component, time_s, .. } = comparisons[place];
+    let (name, time_s, what) = (COMPONENTS[component], parameter(time_s), TESTED[which]);
+    let worst = format!("{what} of {name} at {time_s} s, p = {}", rounded(probability, 2));
+    if failed == 0 {
+        format!(
+            "The ensemble agrees with theory at {confidence} %: {tests} tests, the least likely the {worst}\n"
+        )
+    } else {
+        format!(
+            "The ensemble does not agree with theory at {confidence} %: {failed} of {tests} tests fail, \
+             the worst the {worst}\n"
+        )
+    }
+}

@@ -1,0 +1,139 @@
+//! Neither lanes nor threads show in a run: it has the bits of the same run flown alone.
+
+use super::erring;
+use schuler::drift::compare::{Drift, drift};
+use schuler::math::compensated::Pair;
+use schuler_host::ensemble::fleet::{self, Flown};
+use schuler_host::ensemble::group::{Ground, Unit};
+use schuler_host::navigator;
+use schuler_host::scene::{Frame, Scene, WindowShape};
+use schuler_host::simulate::{self, FlightError};
+use schuler_host::source::Source;
+
+/// Two packs, the second with idle lanes.
+const RUNS: u64 = 6;
+
+fn bits(drift: &Drift) -> [u64; 9] {
+    let Drift { position_ned: r, velocity_ned: v, attitude_ned: a } = drift;
+    [r.x, r.y, r.z, v.x, v.y, v.z, a.x, a.y, a.z].map(f64::to_bits)
+}
+
+fn all_bits(flown: &Flown) -> Vec<(u64, Vec<[u64; 9]>)> {
+    flown.readings.iter().map(|r| (r.samples, r.drifts.iter().map(bits).collect())).collect()
+}
+
+fn fly(scene: &Scene, unit: Unit, threads: usize) -> Result<Flown, FlightError> {
+    let source = Source::new(scene, false).unwrap();
+    fleet::fly(&Ground::new(scene, &source), RUNS, unit, threads, 3, &|_| {})
+}
+
+/// A run as `schuler run` flies one: every row is read, every increment worked out for it alone.
+fn alone(scene: &Scene, run: u64) -> Vec<Drift> {
+    let source = Source::new(scene, false).unwrap();
+    let ground = Ground::new(scene, &source);
+    let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
+    let mut navigator =
+        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial)
+            .unwrap();
+    let mut drifts = vec![drift(&ground.initial, &source.truth(0))];
+    let mut read = |n: u64, row: &_| {
+        assert_eq!(n, drifts.len() as u64);
+        drifts.push(drift(row, &source.truth(n)));
+    };
+    let mut stream = source.start(run);
+    for _ in 0..scene.samples() {
+        navigator.push(&stream.advance().unwrap(), &mut read).unwrap();
+    }
+    navigator.finish(&mut read);
+    drifts
+}
+
+#[test]
+fn every_run_has_its_own_bits_in_every_unit() {
+    // A second of turns, ending within a block; the last window is not compiled for lanes.
+    let mut scene = erring("hard", 1.63);
+    scene.initial_error.velocity_m_s = [1.0, -2.0, 0.5];
+    for (history, block, lookahead) in
+        [(0, 4, 0), (2, 4, 2), (4, 4, 4), (0, 8, 0), (0, 20, 0), (0, 12, 0)]
+    {
+        for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+            scene.navigator.window = Some(WindowShape { history, block, lookahead });
+            scene.navigator.frame = frame;
+            let expected: Vec<_> = (0..RUNS).map(|run| alone(&scene, run)).collect();
+            assert_ne!(expected[0].last(), expected[1].last());
+            for &unit in Unit::ALL {
+                let what = format!("{history},{block},{lookahead} {frame:?} {unit:?}");
+                let flown = fly(&scene, unit, 2).unwrap();
+                assert!(flown.readings.len() >= 3, "{what}");
+                assert_eq!(flown.readings.last().map(|r| r.samples), Some(163), "{what}");
+                for (samples, drifts) in all_bits(&flown) {
+                    let of_rows: Vec<_> =
+                        expected.iter().map(|rows| bits(&rows[samples as usize])).collect();
+                    assert_eq!(drifts, of_rows, "{what} at {samples}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn lanes_are_used_where_the_window_has_them() {
+    let mut scene = erring("hard", 1.0);
+    let fastest = |scene: &Scene| {
+        let source = Source::new(scene, false).unwrap();
+        Ground::new(scene, &source).fastest()
+    };
+    let unit = fastest(&scene);
+    #[cfg(target_arch = "x86_64")]
+    assert_eq!(unit.is_in_registers(), is_x86_feature_detected!("avx2"));
+    assert_eq!(unit.runs(), 4);
+    scene.navigator.window = Some(WindowShape { history: 0, block: 12, lookahead: 0 });
+    assert_eq!(fastest(&scene), Unit::Alone);
+}
+
+#[test]
+fn threads_do_not_show() {
+    // Long enough for more than one stretch of shared increments.
+    let scene = erring("paper", 300.0);
+    let unit = Unit::ALL[0];
+    let one = fly(&scene, unit, 1).unwrap();
+    assert_eq!(one.readings.iter().map(|r| r.samples).collect::<Vec<_>>(), [2000, 4000, 6000]);
+    for threads in [2, 3, 7] {
+        assert_eq!(all_bits(&fly(&scene, unit, threads).unwrap()), all_bits(&one), "{threads}");
+    }
+}
+
+#[test]
+fn the_first_run_is_that_of_schuler_run() {
+    let scene = erring("paper", 60.0);
+    let flown = fly(&scene, Unit::ALL[0], 2).unwrap();
+    let flight = simulate::fly(&scene, false, &mut |_| Ok(()), &|_| {}).unwrap();
+    let last = flown.readings.last().unwrap();
+    assert_eq!(simulate::nine(&last.drifts[0]), flight.last.drift);
+}
+
+#[test]
+fn the_first_sample_that_any_run_refuses_is_named() {
+    // Toward the pole, where the local-level frame ends.
+    let mut scene = erring("polar", 600.0);
+    scene.navigator.frame = Frame::LocalLevel;
+    let named = |unit, threads| match fly(&scene, unit, threads) {
+        Err(FlightError::Rejected { sample, .. }) => sample,
+        other => panic!("{other:?}"),
+    };
+    let sample = named(Unit::Alone, 1);
+    assert!(sample > 1000, "{sample}");
+    for &unit in Unit::ALL {
+        assert_eq!((named(unit, 1), named(unit, 2)), (sample, sample), "{unit:?}");
+    }
+}
+
+#[test]
+fn saturated_samples_are_counted_over_all_runs() {
+    let mut scene = erring("hard", 2.0);
+    scene.accelerometer.saturation = Some([0.1; 3]);
+    for &unit in Unit::ALL {
+        // Gravity alone is beyond it.
+        assert_eq!(fly(&scene, unit, 2).unwrap().saturated, 200 * RUNS, "{unit:?}");
+    }
+}

@@ -1,0 +1,116 @@
+//! The command as a user meets it.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn ensemble(folder: &Path, arguments: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_schuler"));
+    command.current_dir(folder).arg("ensemble").args(arguments.split_whitespace());
+    command.output().unwrap()
+}
+
+const COLUMNS: &str = "time_s,component,mean,mean_theory,sigma,sigma_theory,\
+    mean_chi_square,mean_probability,sigma_chi_square,sigma_probability";
+
+#[test]
+fn a_small_ensemble_prints_its_table_and_writes_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = ensemble(folder.path(), "--runs 10 --duration 120 --seed 3 --out o");
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    let text = String::from_utf8(done.stdout).unwrap();
+    for words in [
+        "at 120 s ",
+        "down_m_s ",
+        "Standard deviation over theory's",
+        "The ensemble agrees with theory at 99.9 %: 144 tests",
+        "10 runs in ",
+        " per second, 4 side by side on each of ",
+        "ns per sample and run abreast, ",
+        "written to o\n",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    assert!(text.lines().all(|line| line.chars().count() <= 120), "{text}");
+    let csv = fs::read_to_string(folder.path().join("o/ensemble.csv")).unwrap();
+    assert_eq!(csv.lines().next(), Some(COLUMNS));
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 8 * 9);
+    assert_eq!((&rows[71][0], &rows[71][1]), ("120.0", "yaw_arcsec"));
+    for row in &rows {
+        assert!(row.iter().enumerate().all(|(i, x)| i == 1 || x.parse::<f64>().is_ok()), "{row:?}");
+    }
+    // Runs are what the seed makes them: the same again, others with another.
+    let again = |arguments: &str| {
+        assert_eq!(ensemble(folder.path(), arguments).status.code(), Some(0));
+        fs::read_to_string(folder.path().join("out/paper/ensemble.csv")).unwrap()
+    };
+    assert_eq!(again("paper --runs 10 --duration 120 --seed 3"), csv);
+    assert_ne!(again("paper --runs 10 --duration 120 --seed 4"), csv);
+}
+
+#[test]
+fn a_window_without_lanes_is_flown_one_at_a_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let done =
+        ensemble(folder.path(), "--runs 5 --duration 30 --frame earth-fixed --window 0,12,0");
+    let text = String::from_utf8(done.stdout).unwrap();
+    assert!(text.contains("one at a time on each of ") && !text.contains("abreast"), "{text}");
+}
+
+#[test]
+fn what_cannot_be_is_told_before_the_work_begins() {
+    let folder = tempfile::tempdir().unwrap();
+    let noisy = "duration_s = 1\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\n\
+        [gyro]\nangle_random_walk_deg_sqrt_h = 0.1\n";
+    for (name, text) in [
+        ("held.toml", "[navigator]\nvertical = \"held\"\n"),
+        ("lossy.toml", "[link]\nloss = 0.1\n"),
+        ("late.toml", "[link]\njitter_s = 0.001\n"),
+    ] {
+        fs::write(folder.path().join(name), format!("{noisy}{text}")).unwrap();
+    }
+    let constant = "duration_s = 1\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\n\
+        [gyro]\nconstant_deg_h = 0.1\nangle_random_walk_deg_sqrt_h = 0\n\
+        [accelerometer]\nquantization_m_s = 0.001\n";
+    fs::write(folder.path().join("constant.toml"), constant).unwrap();
+    fs::write(folder.path().join("taken"), "").unwrap();
+    for (arguments, words) in [
+        ("paper-perfect", ["paper-perfect has no random errors", "gauss_markov"]),
+        ("constant.toml", ["constant has no random errors", "turn_on_bias"]),
+        ("held.toml", ["navigator.vertical", "accepted: free"]),
+        ("lossy.toml", ["link: ", "loss = 0"]),
+        ("late.toml", ["link: ", "jitter_s = 0"]),
+        ("--precision f32", ["precision", "accepted: f64"]),
+        ("--algorithm textbook", ["algorithm", "accepted: taylor"]),
+        ("--window 1,1,1", ["--window", "2,4,2"]),
+        ("--runs 3", ["--runs", "an integer from 4 to 100000"]),
+        ("--runs 100001", ["--runs", "is not a number of runs"]),
+        ("--runs many", ["--runs", "is not a number of runs"]),
+        ("nowhere", ["nowhere: there is no such scene", "paper"]),
+        ("--out taken", ["taken", "cannot be written"]),
+        ("--fast", ["--fast", "unexpected"]),
+    ] {
+        let done = ensemble(folder.path(), arguments);
+        let said = String::from_utf8_lossy(&done.stderr);
+        assert_eq!(done.status.code(), Some(2), "{arguments}: {said}");
+        for word in words {
+            assert!(said.contains(word), "{arguments} does not say {word}: {said}");
+        }
+        assert!(!folder.path().join("out").exists(), "{arguments}");
+    }
+}
+
+#[test]
+fn a_run_that_cannot_go_on_ends_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let spin = "duration_s = 5\nrate_hz = 20\n[trajectory]\nroll_deg = { rate = 1e4 }\n\
+        [gyro]\nangle_random_walk_deg_sqrt_h = 0.1\n";
+    fs::write(folder.path().join("spin.toml"), spin).unwrap();
+    let done = ensemble(folder.path(), "spin.toml");
+    let said = String::from_utf8_lossy(&done.stderr);
+    assert_eq!(done.status.code(), Some(1), "{said}");
+    assert!(said.contains("sample 1 at 0.05 s") && said.contains("turns a block"), "{said}");
+    assert!(!folder.path().join("out/spin/ensemble.csv").exists());
+}

@@ -131,7 +131,7 @@ fn each_lane_has_the_bits_of_its_run_alone() {
 #[test]
 fn each_lane_of_a_register_has_the_bits_of_its_run_alone() {
     use schuler_host::lanes::NoStart;
-    use schuler_host::lanes::pack::Avx2;
+    use schuler_host::lanes::avx2::Avx2;
     if Avx2::is_available() {
         every_window::<Avx2>();
     } else {

@@ -191,7 +191,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         let inverse = R::INVERSE.get(n + 1).copied().unwrap_or(R::ZERO);
         let (half, whole) = (R::Twin::both(inverse * R::HALF), R::Twin::both(inverse));
         let turned = turned.scaled(half, whole);
-        if n % 2 == 0 && products > 0 {
+        if n.is_multiple_of(2) && products > 0 {
             self.curved = self.curved.zip(turned, |a, b| a + b);
         }
         let w = fit.rate.get(n).copied().unwrap_or(Vector::ZERO);

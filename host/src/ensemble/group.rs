@@ -104,7 +104,7 @@ impl<'a> Ground<'a> {
     ) -> Result<Option<Box<dyn Group + 'a>>, Unavailable> {
         match unit {
             #[cfg(target_arch = "x86_64")]
-            Unit::Avx2 => self.abreast::<crate::lanes::pack::Avx2>(runs),
+            Unit::Avx2 => self.abreast::<crate::lanes::avx2::Avx2>(runs),
             Unit::Four => self.abreast::<Four>(runs),
             Unit::Alone => {
                 let (navigator, plan) = (&self.scene.navigator, &self.plan);

@@ -120,6 +120,11 @@ impl Case {
         all
     }
 
+    /// Whether its functions are micromath's.
+    pub fn is_coarse(&self) -> bool {
+        self.arithmetic == Arithmetic::Coarse
+    }
+
     /// The algorithm's name in the files.
     pub fn algorithm(&self) -> &'static str {
         match self.method {

@@ -3,9 +3,11 @@
 use super::Point;
 
 /// Marks the points of one scene that are on its front: time per second of flight against the largest
-/// position error.
+/// position error. Micromath's tier is there to be compared with, and never on it: its attitude is wrong by
+/// tenths of a degree where its position may pass.
 pub fn mark(points: &mut [Point]) {
-    let measured: Vec<_> = points.iter().map(|p| (p.cost_us_per_s(), p.max_position_m)).collect();
+    let cost = |p: &Point| if p.case.is_coarse() { f64::INFINITY } else { p.cost_us_per_s() };
+    let measured: Vec<_> = points.iter().map(|p| (cost(p), p.max_position_m)).collect();
     for (point, on_front) in points.iter_mut().zip(front(&measured)) {
         point.on_front = on_front;
     }

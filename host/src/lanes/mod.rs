@@ -3,6 +3,8 @@
 //! The core's generic code is compiled for a pack of runs in memory and for one in AVX2 registers; the
 //! processor decides at run time. Each lane has the bits of its run flown alone.
 
+#[cfg(target_arch = "x86_64")]
+pub mod avx2;
 pub mod pack;
 
 use pack::{Lanes, RUNS};

@@ -102,7 +102,7 @@ impl<R: Real> Meridian<R> {
         let (s, c) = (self.sine, self.cosine);
         // x = (R_N + h)c − D_N s − D_D c,  tan Δλ = y = D_E/x
         let y = east / (self.axis_distance - north * s - down * c);
-        let y2 = y * y;
+        let y2 = square(y);
         // atan y = y − y³/3 + y⁵/5
         let longitude = y - y * y2 * (R::of(1.0 / 3.0) - y2 * R::of(0.2));
         // Going east leads outward of the meridian plane by δ = √(x² + D_E²) − x = ½D_E y(1 − y²/4)
@@ -119,7 +119,7 @@ impl<R: Real> Meridian<R> {
         let mut bend = R::ZERO;
         for _ in 0..2 {
             let d = latitude;
-            let d2 = d * d;
+            let d2 = square(d);
             let versine = d2 * (R::HALF - d2 * R::of(1.0 / 24.0));
             altitude = up
                 + d2 * (self.radius * R::HALF + d * (self.slope * R::of(1.0 / 3.0) + d * fourth))
@@ -128,7 +128,7 @@ impl<R: Real> Meridian<R> {
             bend = altitude * sine + d2 * (self.slope * R::HALF + d * third);
             latitude = (north - bend) * self.inverse_radius;
         }
-        let d2 = latitude * latitude;
+        let d2 = square(latitude);
         PlaceChange {
             latitude,
             longitude,
@@ -159,11 +159,18 @@ impl<R: Real> Meridian<R> {
     }
 }
 
+/// x², or 0 where it is lost beside 1: higher powers would be subnormal at rest, and slow on some processors.
+#[inline(always)]
+pub(super) fn square<R: Real>(x: R) -> R {
+    let square = x * x;
+    R::select(square.less(R::of(1e-20)), R::ZERO, square)
+}
+
 /// sin ½x and cos ½x − 1 of a small angle.
 #[inline(always)]
 fn half_angle<R: Real>(x: R) -> (R, R) {
     let half = x * R::HALF;
-    let h2 = half * half;
+    let h2 = square(half);
     (
         half - half * h2 * (R::of(1.0 / 6.0) - h2 * R::of(1.0 / 120.0)),
         -(h2 * (R::HALF - h2 * R::of(1.0 / 24.0))),

@@ -5,7 +5,7 @@
 //! two products that turn the attitude. Everything else rounds at random and may.
 
 use super::body::BodyMotion;
-use super::meridian::PlaceChange;
+use super::meridian::{PlaceChange, square};
 use crate::earth::{ECCENTRICITY_SQUARED, Geodetic, SEMI_MAJOR_AXIS};
 use crate::math::compensated::{Pair, two_sum};
 use crate::math::quaternion::Quaternion;
@@ -46,7 +46,7 @@ impl<R: Real> Place<R> {
         let distance = (prime_vertical + altitude) * cosine - nearer;
         let mut longitude = Pair { hi: moved.y, lo: moved_low.y } * distance.reciprocal();
         let y = longitude.hi;
-        longitude.lo = longitude.lo - y * y * y * R::of(1.0 / 3.0);
+        longitude.lo = longitude.lo - y * square(y) * R::of(1.0 / 3.0);
         Geodetic { latitude, longitude, altitude: Pair::new(rough.altitude) }
     }
 
@@ -77,13 +77,13 @@ impl<R: Real> Place<R> {
 fn half_sine<R: Real>(x: Pair<R>) -> Pair<R> {
     let half = Pair { hi: x.hi * R::HALF, lo: x.lo * R::HALF };
     let h = half.hi;
-    Pair { hi: h, lo: half.lo - h * h * h * R::of(1.0 / 6.0) }
+    Pair { hi: h, lo: half.lo - h * square(h) * R::of(1.0 / 6.0) }
 }
 
 /// cos ½x − 1 of a small angle, from its half's sine.
 #[inline(always)]
 fn cosine_less_one<R: Real>(half: R) -> R {
-    -(half * half * R::HALF)
+    -(square(half) * R::HALF)
 }
 
 /// Δl = Δλ + ωT rounded, with what rounding left over from the blocks before; returns the new rest.

@@ -1,7 +1,7 @@
 //! Four numbers, one of each run, that go through the same operations side by side.
 //!
 //! Every lane computes what a lone `f64` would, to the bit: IEEE 754 fixes the operations, and functions
-//! are `f64`'s own. [`Four`] is what any machine has, [`Avx2`] a vector register.
+//! are `f64`'s own. [`Four`] is what any machine has, `Avx2` a vector register.
 
 use schuler::math::real::Real;
 use schuler::math::twin::Both;

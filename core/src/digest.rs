@@ -48,6 +48,15 @@ impl Digest {
     }
 }
 
+impl Record for Digest {
+    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
+        for lane in &mut self.lanes {
+            lane.record(name, visit);
+        }
+        self.words.record(name, visit);
+    }
+}
+
 #[inline(always)]
 fn mix(sum: u64, word: u64) -> u64 {
     // Each round is a bijection of the sum, so two runs that differ once stay apart.

@@ -7,6 +7,7 @@ pub mod digest;
 pub mod drift;
 pub mod earth;
 pub mod imu;
+pub mod link;
 pub mod math;
 pub mod noise;
 pub mod record;

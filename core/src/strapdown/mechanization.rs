@@ -31,6 +31,8 @@ pub trait Mechanization {
         sample: Increment<Self::Real>,
         read: impl FnMut(u64, Self::Output),
     ) -> Result<(), Rejected>;
+    /// Integrates what waits for samples; no row is read.
+    fn finish(&self, state: &mut Self::State);
     /// Completes the rows that wait for samples, and reads them.
     fn finish_rows(&self, state: &mut Self::State, read: impl FnMut(u64, Self::Output));
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.

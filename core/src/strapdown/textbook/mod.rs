@@ -122,6 +122,8 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         Ok(())
     }
 
+    fn finish(&self, _: &mut TextbookState<F>) {}
+
     fn finish_rows(&self, _: &mut TextbookState<F>, _: impl FnMut(u64, F::Output)) {}
 
     fn hold_vertical(&self, state: &mut TextbookState<F>, altitude: F::Real, down: F::Real) {

@@ -10,7 +10,7 @@ use super::body::BodyMotion;
 use super::frame::Frame;
 use super::inside::{BlockSeries, Mirror};
 use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, admit_start};
-use super::rows::{Every, Read, Unread};
+use super::rows::{Blocks, Every, Read, Unread};
 use super::window::Window;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
@@ -114,6 +114,17 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         self.take(state, sample, &mut Every(read))
     }
 
+    /// Takes a sample and shows every block that it completes, step by step: the number of samples at
+    /// the block's end, the body's motion over it, and the frame after it.
+    pub fn push_blocks(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+        see: impl FnMut(u64, &BodyMotion<R>, &F),
+    ) -> Result<(), Rejected> {
+        self.take(state, sample, &mut Blocks(see))
+    }
+
     /// Integrates what is pending: the stream is at its end. More samples may follow all the same.
     pub fn finish(&self, state: &mut State<F, W>) {
         self.last_blocks(state, &mut Unread);
@@ -122,6 +133,11 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// The same, reading every row.
     pub fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
         self.last_blocks(state, &mut Every(read));
+    }
+
+    /// The same, showing every block.
+    pub fn finish_blocks(&self, state: &mut State<F, W>, see: impl FnMut(u64, &BodyMotion<R>, &F)) {
+        self.last_blocks(state, &mut Blocks(see));
     }
 
     /// Navigation at the newest sample, without the look-ahead that its rows wait for.
@@ -136,7 +152,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         &self,
         state: &mut State<F, W>,
         sample: Increment<R>,
-        read: &mut impl Read<F::Output>,
+        read: &mut impl Read<F>,
     ) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
         if !state.frame.is_regular() {
@@ -176,7 +192,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 
     #[inline(always)]
-    fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F::Output>) {
+    fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
         let begin = state.filled - state.pending - W::HISTORY;
         let window = state.samples.as_ref().get(begin..).unwrap_or(&[]);
         if let Some((body, series)) =
@@ -188,7 +204,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads.
     #[inline(always)]
-    fn step<Q: Read<F::Output>>(
+    fn step<Q: Read<F>>(
         &self,
         state: &mut State<F, W>,
         time: &BlockTime<R>,
@@ -216,6 +232,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
         state.integrated += block as u64;
         state.pending -= block;
+        read.block(state.integrated, body, &state.frame);
     }
 }
 
@@ -224,6 +241,7 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
     type Frame = F;
     type State = State<F, W>;
     type Output = F::Output;
+    type Body = BodyMotion<F::Real>;
 
     fn start(&self, initial: &Solution<F::Real>) -> Result<State<F, W>, StartError> {
         Strapdown::start(self, initial)
@@ -243,6 +261,21 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
     }
     fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
         Strapdown::finish_rows(self, state, read);
+    }
+    fn push_blocks(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<F::Real>,
+        see: impl FnMut(u64, &BodyMotion<F::Real>, &F),
+    ) -> Result<(), Rejected> {
+        Strapdown::push_blocks(self, state, sample, see)
+    }
+    fn finish_blocks(
+        &self,
+        state: &mut State<F, W>,
+        see: impl FnMut(u64, &BodyMotion<F::Real>, &F),
+    ) {
+        Strapdown::finish_blocks(self, state, see);
     }
     fn hold_vertical(&self, state: &mut State<F, W>, altitude: F::Real, down: F::Real) {
         state.frame.hold_vertical(altitude, down);

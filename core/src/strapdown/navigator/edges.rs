@@ -25,7 +25,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         history: usize,
         block: usize,
         all: usize,
-        read: &mut impl Read<F::Output>,
+        read: &mut impl Read<F>,
     ) {
         let is_first = history == 0 && block == W::BLOCK && all == W::FIRST;
         let begin = state.filled.saturating_sub(state.pending + history);
@@ -44,7 +44,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// The last blocks: the look-ahead that is missing goes to the history.
     #[inline(never)]
-    pub(super) fn last_blocks(&self, state: &mut State<F, W>, read: &mut impl Read<F::Output>) {
+    pub(super) fn last_blocks(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
         while state.pending > 0 {
             let block = state.pending.min(W::BLOCK).min(LAST_BLOCK);
             let most = if W::COEFFICIENTS < W::SAMPLES {

@@ -84,7 +84,7 @@ fn what_is_not_to_be_had_is_named() {
         ("hil paper --device tcp:127.0.0.1:1", 2, "--device: 127.0.0.1:1: "),
         ("hil paper --device serial:/nowhere", 2, "--device: /nowhere: "),
         ("hil paper --faults melt=1", 2, "melt is no fault"),
-        ("hil paper --duration 9 --faults drop=0.9 --retries 1", 1, "lost on the link"),
+        ("hil paper --duration 30 --faults drop=0.3 --retries 1", 1, "lost on the link"),
     ] {
         let output = schuler(line, folder.path());
         let text = String::from_utf8_lossy(&output.stderr);

@@ -192,8 +192,8 @@ impl<R: Real> Gate<R> {
 /// Whether the processor computes with subnormal numbers, as IEEE 754 has it.
 #[inline(never)]
 pub fn subnormals_survive<R: Real>() -> bool {
-    // Somewhat above the smallest normal number: half of it, and twice that again.
-    let normal = black_box(R::entry(1.5e-38, 3e-308));
+    // Half of the smallest normal number, and twice that again: both exact.
+    let normal = black_box(R::entry(f32::MIN_POSITIVE, f64::MIN_POSITIVE));
     let subnormal = black_box(normal * R::HALF);
     let back = subnormal + subnormal;
     !R::any(back.less(normal)) & !R::any(normal.less(back))

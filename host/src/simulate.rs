@@ -209,7 +209,8 @@ pub fn fly(
 }
 
 impl Refused {
-    fn at(self, sample: u64, source: &Source) -> FlightError {
+    /// The error that ends a run at a sample.
+    pub fn at(self, sample: u64, source: &Source) -> FlightError {
         let time_s = source.time_s(sample);
         match self {
             Self::Missing => FlightError::Lost { sample, time_s },

@@ -1,7 +1,9 @@
 //! The command line: commands, their options, and what they do to a scene.
 
+mod audit;
 mod options;
 
+pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use options::{FlightOptions, NavigatorOptions, Window};
 
 use crate::input::{Complaint, InputError};
@@ -46,6 +48,9 @@ pub enum Command {
     Stress(StressArgs),
     /// Fly many runs of a scene: does their drift scatter as theory says?
     Ensemble(EnsembleArgs),
+    /// Digests of flights, and where two of them first part
+    #[command(subcommand)]
+    Audit(AuditCommand),
     /// List the built-in scenes
     #[command(after_help = "Example:\n  schuler scenes")]
     Scenes,

@@ -3,7 +3,7 @@
 mod audit;
 mod options;
 
-pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+pub use audit::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use options::{FlightOptions, NavigatorOptions, Window};
 
 use crate::input::{Complaint, InputError};

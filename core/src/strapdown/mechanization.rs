@@ -34,6 +34,8 @@ pub trait Mechanization {
         sample: Increment<Self::Real>,
         read: impl FnMut(u64, Self::Output),
     ) -> Result<(), Rejected>;
+    /// Integrates what waits for samples; no row is read.
+    fn finish(&self, state: &mut Self::State);
     /// Completes the rows that wait for samples, and reads them.
     fn finish_rows(&self, state: &mut Self::State, read: impl FnMut(u64, Self::Output));
     /// Takes a sample and shows every step that it completes: the number of samples at its end, the

@@ -3,24 +3,20 @@
 //! Look-ahead delays a row, it never changes it. The first block of a window that wants history looks
 //! ahead instead; the last ones look back; so a stream of any length ends with a row for every sample.
 
+mod edges;
+
 use super::block_time::BlockTime;
-use super::body::{self, BodyMotion, Sum};
-use super::fit::{Fit, MOST_SAMPLES};
+use super::body::BodyMotion;
 use super::frame::Frame;
 use super::inside::{BlockSeries, Mirror};
 use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, admit_start};
 use super::rows::{Blocks, Every, Read, Unread};
-use super::window::{LINE_LAST_SAMPLES, Window};
+use super::window::Window;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Solution;
 use core::marker::PhantomData;
-
-/// Terms of the series of first and last blocks, whatever their window.
-const EDGE_TERMS: usize = 16;
-/// Samples at most in a stream's last blocks.
-const LAST_BLOCK: usize = 4;
 
 /// Configuration of a strapdown navigator in frame `F` with window `W`.
 #[derive(Clone, Copy, Debug)]
@@ -206,48 +202,6 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
     }
 
-    /// A block of `block` samples within the window of `all` samples that starts `history` before it.
-    #[inline(never)]
-    fn edge_block(
-        &self,
-        state: &mut State<F, W>,
-        history: usize,
-        block: usize,
-        all: usize,
-        read: &mut impl Read<F>,
-    ) {
-        let is_first = history == 0 && block == W::BLOCK && all == W::FIRST;
-        let begin = state.filled.saturating_sub(state.pending + history);
-        let samples = state.samples;
-        let window = samples.as_ref().get(begin..begin + all).unwrap_or(&[]);
-        let own = window.get(history..history + block).unwrap_or(&[]);
-        let time = BlockTime::new(self.interval, block);
-        let first = if is_first { W::first_fit(window) } else { None };
-        let (fit, sum) = first.unwrap_or_else(|| Fit::of_any(window, history, block));
-        let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::rounded(sum) };
-        let (body, series) = body::integrate::<R, MOST_SAMPLES, { EDGE_TERMS + 1 }>(
-            &fit, &sum, time.half, EDGE_TERMS,
-        );
-        self.step(state, &time, block, &body, &series, read);
-    }
-
-    /// The last blocks: the look-ahead that is missing goes to the history.
-    #[inline(never)]
-    fn last_blocks(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
-        while state.pending > 0 {
-            let block = state.pending.min(W::BLOCK).min(LAST_BLOCK);
-            let most = if W::COEFFICIENTS < W::SAMPLES {
-                LINE_LAST_SAMPLES
-            } else {
-                W::SAMPLES.max(LAST_BLOCK)
-            };
-            let lookahead = (state.pending - block).min(most - block);
-            let past = state.filled - state.pending;
-            let history = past.min(most - block - lookahead);
-            self.edge_block(state, history, block, history + block + lookahead, read);
-        }
-    }
-
     /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads.
     #[inline(always)]
     fn step<Q: Read<F>>(
@@ -304,6 +258,9 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
         read: impl FnMut(u64, F::Output),
     ) -> Result<(), Rejected> {
         Strapdown::push_rows(self, state, sample, read)
+    }
+    fn finish(&self, state: &mut State<F, W>) {
+        Strapdown::finish(self, state);
     }
     fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
         Strapdown::finish_rows(self, state, read);

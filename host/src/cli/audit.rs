@@ -95,10 +95,7 @@ pub struct SensitivityArgs {
 impl SensitivityArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
-        let mut scene = load(self.scene.as_deref())?;
-        self.flight.apply(&mut scene)?;
-        self.navigator.apply(&mut scene.navigator)?;
-        Ok(scene)
+        load(self.scene.as_deref(), &self.flight, &self.navigator)
     }
 }
 

@@ -43,6 +43,9 @@ impl Place {
         if target.profile.folder() == "release" {
             cargo.arg("--release").env("CARGO_PROFILE_RELEASE_OPT_LEVEL", target.profile.level());
         }
+        for setting in target.settings {
+            cargo.args(["--config", setting]);
+        }
         if *builds_core {
             cargo.args(["-Z", "build-std=core", "-Z", "build-std-features=compiler-builtins-mem"]);
             cargo.env("RUSTC", compiler.rustc).env("RUSTC_BOOTSTRAP", "1");

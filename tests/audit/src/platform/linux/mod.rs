@@ -12,8 +12,9 @@ const STANDARD_OUTPUT: usize = 1;
 pub fn print(mut line: &[u8]) {
     while !line.is_empty() {
         // SAFETY: the kernel reads the bytes of the slice.
-        let written =
-            unsafe { system::call(system::WRITE, STANDARD_OUTPUT, line.as_ptr() as usize, line.len()) };
+        let written = unsafe {
+            system::call(system::WRITE, STANDARD_OUTPUT, line.as_ptr() as usize, line.len())
+        };
         match line.get(written..) {
             Some(rest) if written > 0 => line = rest,
             // An error is a number beyond every length.

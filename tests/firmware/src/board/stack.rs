@@ -38,9 +38,13 @@ fn stack_pointer() -> usize {
 
 impl Painted {
     /// Paints what lies below the caller.
-    #[inline(never)]
+    #[inline(always)]
     pub fn below() -> Self {
-        let top = stack_pointer();
+        Self::paint(stack_pointer())
+    }
+
+    #[inline(never)]
+    fn paint(top: usize) -> Self {
         let end = (&raw const _stack_end) as usize;
         let bottom = end.max(top.saturating_sub(MOST)).next_multiple_of(4);
         for place in (bottom..top - OWN).step_by(4) {

@@ -1,5 +1,6 @@
 //! A running hash of states: runs with equal digests had, but for a chance of 2⁻⁶⁴, equal
-//! bits in every field after every block.
+//! bits in every field after every block. A chain keeps it at checkpoints, between which two runs
+//! that part can be told apart.
 //!
 //! Every word goes into one of four lanes in turn, so that the multiplications overlap; it is no
 //! cryptographic hash. The same on every target: words are numbers, not bytes in memory, and −0 counts
@@ -45,6 +46,58 @@ impl Digest {
     /// The digest of everything so far.
     pub fn value(&self) -> u64 {
         self.lanes.iter().fold(mix(0, self.words), |sum, &lane| mix(sum, lane))
+    }
+}
+
+impl Record for Digest {
+    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
+        for lane in &mut self.lanes {
+            lane.record(name, visit);
+        }
+        self.words.record(name, visit);
+    }
+}
+
+/// A digest with a checkpoint at every so many samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Chain {
+    digest: Digest,
+    every: u64,
+    next: u64,
+}
+
+/// The digest of everything up to a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Checkpoint {
+    /// The number of samples behind it.
+    pub sample: u64,
+    /// The digest there.
+    pub digest: u64,
+}
+
+impl Chain {
+    /// With a checkpoint at the first state that lies so many samples, at least one, behind the last.
+    pub fn new(every: u64) -> Self {
+        let every = every.max(1);
+        Self { digest: Digest::default(), every, next: every }
+    }
+
+    /// Takes in the state after so many samples; a checkpoint if one is due.
+    #[inline(always)]
+    pub fn add<S: Record + Copy>(&mut self, sample: u64, state: &S) -> Option<Checkpoint> {
+        self.digest.add(state);
+        if sample < self.next {
+            return None;
+        }
+        self.next = (sample / self.every).saturating_add(1).saturating_mul(self.every);
+        Some(Checkpoint { sample, digest: self.digest.value() })
+    }
+
+    /// The digest of everything so far.
+    pub fn value(&self) -> u64 {
+        self.digest.value()
     }
 }
 

@@ -2,11 +2,15 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+#[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
+compile_error!("x87 rounds to other bits: build for a processor with SSE2");
+
 pub mod alignment;
 pub mod digest;
 pub mod drift;
 pub mod earth;
 pub mod imu;
+pub mod link;
 pub mod math;
 pub mod noise;
 pub mod record;

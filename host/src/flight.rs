@@ -13,6 +13,27 @@ pub struct Nine {
     pub attitude_arcsec: [f64; 3],
 }
 
+impl Nine {
+    /// What files call the nine, in order.
+    pub const NAMES: [&str; 9] = [
+        "north_m",
+        "east_m",
+        "down_m",
+        "north_m_s",
+        "east_m_s",
+        "down_m_s",
+        "roll_arcsec",
+        "pitch_arcsec",
+        "yaw_arcsec",
+    ];
+
+    /// In the order of [`Nine::NAMES`].
+    pub fn numbers(&self) -> [f64; 9] {
+        let parts = [self.position_m, self.velocity_m_s, self.attitude_arcsec];
+        std::array::from_fn(|i| parts[i / 3][i % 3])
+    }
+}
+
 /// One instant of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Instant {

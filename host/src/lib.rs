@@ -1,5 +1,6 @@
 //! Flies scenes through the `schuler` core: truth, sensors, navigation, drift against theory.
 
+pub mod audit;
 pub mod cli;
 pub mod emulate;
 pub mod emulator;

@@ -14,6 +14,7 @@ use schuler::strapdown::frame::Output;
 use schuler::strapdown::local_level::LocalLevel;
 use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;
+use schuler::strapdown::plan::Shape;
 use schuler::strapdown::textbook::{
     EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
 };
@@ -202,52 +203,49 @@ pub fn start(
             taylor::<EarthFixed<Pair<f32>>>(shape, order, single, initial)?
         }
         (Algorithm::Taylor, Precision::F32x2, Frame::LocalLevel) => {
-            two_float(shape, order, single, initial)?
+            taylor_two_float::<LocalLevel<TwoFloat<f32>>>(shape, order, single, initial)?
         }
         (_, Precision::F32x2, _) => return Err(Unavailable::TwoFloat),
     };
     Ok(boxed)
 }
 
-/// The taylor navigator in frame `F` whose window, among those named, has the shape.
-macro_rules! with_window {
-    ($F:ty, $shape:expr, $order:expr, $interval_s:expr, $initial:expr; $($name:ident),+) => {{
-        $(if ($name::HISTORY, $name::BLOCK, $name::LOOKAHEAD)
-            == ($shape.history, $shape.block, $shape.lookahead)
+/// A function that starts a taylor navigator in a frame with one of some windows, and their shapes.
+macro_rules! starter {
+    ($(#[$doc:meta])* fn $start:ident, $shapes:ident; $($window:ident),+) => {
+        #[doc = concat!("The windows of [`", stringify!($start), "`].")]
+        pub(crate) const $shapes: &[Shape] = &[$($window::SHAPE),+];
+
+        $(#[$doc])*
+        pub(crate) fn $start<F>(
+            shape: WindowShape,
+            order: usize,
+            interval_s: Pair<F::Real>,
+            initial: &Solution<f64>,
+        ) -> Result<Box<dyn Navigate>, Unavailable>
+        where
+            F: schuler::strapdown::frame::Frame<Real: Scalar + Send> + Record + Send + 'static,
         {
-            let strapdown = Strapdown::<$F, $name>::new($interval_s)?.with_order($order);
-            return Ok(Flying::boxed(strapdown, $initial)?);
-        })+
-        Err(Unavailable::Window($shape))
-    }};
+            $(if shape == $window::SHAPE.into() {
+                let strapdown = Strapdown::<F, $window>::new(interval_s)?.with_order(order);
+                return Ok(Flying::boxed(strapdown, initial)?);
+            })+
+            Err(Unavailable::Window(shape))
+        }
+    };
 }
 
-/// A taylor navigator in a frame, with one of the named windows.
-fn taylor<F>(
-    shape: WindowShape,
-    order: usize,
-    interval_s: Pair<F::Real>,
-    initial: &Solution<f64>,
-) -> Result<Box<dyn Navigate>, Unavailable>
-where
-    F: schuler::strapdown::frame::Frame<Real: Scalar + Send> + Record + Send + 'static,
-{
-    with_window!(F, shape, order, interval_s, initial;
-        H0B2A0, H0B3A0, H0B4A0, H0B6A0, H2B2A0, H2B2A2, H2B4A0, H4B4A0, H2B4A2, H4B4A4, Line8,
-        Parabola12, Parabola20, Parabola40)
+schuler::every_window! { starter!
+    /// A taylor navigator with any of the named windows.
+    fn taylor, TAYLOR;
 }
-
-/// The same with the few windows of arithmetics that are there to be compared with.
-pub(crate) fn taylor_compared<F>(
-    shape: WindowShape,
-    order: usize,
-    interval_s: Pair<F::Real>,
-    initial: &Solution<f64>,
-) -> Result<Box<dyn Navigate>, Unavailable>
-where
-    F: schuler::strapdown::frame::Frame<Real: Scalar + Send> + Record + Send + 'static,
-{
-    with_window!(F, shape, order, interval_s, initial; H0B4A0, H2B4A2, Line8)
+starter! {
+    /// The same in arithmetics that are there to be compared with.
+    fn taylor_compared, COMPARED; H0B4A0, H2B4A2, Line8
+}
+starter! {
+    /// The same with two-float products.
+    fn taylor_two_float, TWO_FLOAT; H0B4A0, H4B4A0, H2B4A2, H4B4A4
 }
 
 /// A textbook navigator in a frame.
@@ -259,15 +257,4 @@ where
     F: TextbookFrame<Real: Scalar + Send> + Record + Send + 'static,
 {
     Ok(Flying::boxed(Textbook::<F>::new(interval_s)?, initial)?)
-}
-
-/// The local-level navigator in single precision with two-float products, whose windows are few.
-fn two_float(
-    shape: WindowShape,
-    order: usize,
-    interval_s: Pair<f32>,
-    initial: &Solution<f64>,
-) -> Result<Box<dyn Navigate>, Unavailable> {
-    type Precise = LocalLevel<TwoFloat<f32>>;
-    with_window!(Precise, shape, order, interval_s, initial; H0B4A0, H4B4A0, H2B4A2, H4B4A4)
 }

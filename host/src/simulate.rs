@@ -1,125 +1,25 @@
 //! A run: the scene's samples through the navigator, every row against truth and theory.
 
-use crate::flight::{Extremes, Flight, Instant, Nine};
-use crate::gap::{Bridge, Missing};
-use crate::input::{Complaint, InputError};
-use crate::navigator::{self, Navigate, Unavailable};
+mod error;
+mod log;
+
+pub use error::{FlightError, Refused};
+
+use crate::flight::{Flight, Instant, Nine};
+use crate::gap::Bridge;
+use crate::input::InputError;
+use crate::navigator::{self, Navigate};
 use crate::plan::Plan;
 use crate::scene::{Scene, Vertical};
 use crate::source::{Source, SourceError};
 use crate::theory::Theory;
 use crate::timing;
 use crate::units::{ARCSECOND, DEGREE};
+use log::Log;
 use schuler::drift::compare::{Drift, drift};
 use schuler::math::compensated::Pair;
-use schuler::math::vector::Vector;
 use schuler::solution::Solution;
 use schuler::strapdown::mechanization::Rejected;
-use std::fmt;
-
-/// Points of the overview's curves, about.
-const OVERVIEW: u64 = 3000;
-/// Points of the first minute's, at most.
-const FIRST_MINUTE: u64 = 3000;
-
-/// Why a run ended early.
-#[derive(Debug)]
-pub enum FlightError {
-    /// The scene or an option asks for something that is not to be had.
-    Input(InputError),
-    /// The link lost a sample, and gaps are not bridged.
-    Lost {
-        /// Its number, from 1.
-        sample: u64,
-        /// Its end, s.
-        time_s: f64,
-    },
-    /// The navigator refused a sample.
-    Rejected {
-        /// Its number, from 1.
-        sample: u64,
-        /// Its end, s.
-        time_s: f64,
-        /// Why.
-        why: Rejected,
-    },
-    /// Checks that did not keep their bounds.
-    Failed {
-        /// How many.
-        failed: usize,
-        /// Of how many.
-        checks: usize,
-    },
-    /// A recording cannot be navigated beyond this place.
-    Stopped(InputError),
-}
-
-impl fmt::Display for FlightError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Input(error) | Self::Stopped(error) => error.fmt(f),
-            Self::Lost { sample, time_s } => write!(
-                f,
-                "sample {sample} at {time_s} s was lost on the link; \
-                 navigator.gap = \"bridge\" would fill it from its neighbours"
-            ),
-            Self::Failed { failed, checks } => write!(f, "{failed} of {checks} checks failed"),
-            Self::Rejected { sample, time_s, why } => {
-                write!(f, "sample {sample} at {time_s} s: {why}")
-            }
-        }
-    }
-}
-
-impl std::error::Error for FlightError {}
-
-impl From<InputError> for FlightError {
-    fn from(error: InputError) -> Self {
-        Self::Input(error)
-    }
-}
-
-/// A sample refused by the bridge or by the navigator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Refused {
-    /// It is missing, and gaps are not bridged.
-    Missing,
-    /// It cannot be right, or leads where the navigator cannot go.
-    Rejected(Rejected),
-}
-
-impl From<Missing> for Refused {
-    fn from(_: Missing) -> Self {
-        Self::Missing
-    }
-}
-
-impl From<Rejected> for Refused {
-    fn from(why: Rejected) -> Self {
-        Self::Rejected(why)
-    }
-}
-
-impl From<SourceError> for FlightError {
-    fn from(error: SourceError) -> Self {
-        let (key, what) = match error {
-            SourceError::Trajectory(error) => ("trajectory", error.to_string()),
-            SourceError::Sensor(error) => ("sensor", error.to_string()),
-        };
-        Self::Input(InputError::option(key, Complaint::new(what, "")))
-    }
-}
-
-impl From<Unavailable> for FlightError {
-    fn from(error: Unavailable) -> Self {
-        let key = match error {
-            Unavailable::Window(_) => "window",
-            Unavailable::TwoFloat => "precision",
-            Unavailable::Start(_) => "navigator",
-        };
-        Self::Input(InputError::option(key, Complaint::new(error.to_string(), "")))
-    }
-}
 
 /// A scene ready to be flown: all that can be wrong with it has been found.
 pub struct Simulation<'a> {
@@ -208,16 +108,6 @@ pub fn fly(
     Simulation::new(scene, force_all)?.fly(observe, progress)
 }
 
-impl Refused {
-    fn at(self, sample: u64, source: &Source) -> FlightError {
-        let time_s = source.time_s(sample);
-        match self {
-            Self::Missing => FlightError::Lost { sample, time_s },
-            Self::Rejected(why) => FlightError::Rejected { sample, time_s, why },
-        }
-    }
-}
-
 fn push(
     navigator: &mut dyn Navigate,
     increment: &schuler::sample::Increment<f64>,
@@ -274,61 +164,4 @@ pub fn nine(drift: &Drift) -> Nine {
         velocity_m_s: drift.velocity_ned.into_array(),
         attitude_arcsec: drift.attitude_ned.map(|angle| angle / ARCSECOND).into_array(),
     }
-}
-
-/// What is kept of a run's instants.
-struct Log {
-    stride: u64,
-    minute_stride: u64,
-    minute: u64,
-    samples: u64,
-    last: Instant,
-    max: Extremes,
-    overview: Vec<Instant>,
-    first_minute: Vec<Instant>,
-}
-
-impl Log {
-    fn new(samples: u64, rate_hz: f64) -> Self {
-        let minute = ((60.0 * rate_hz).ceil() as u64).min(samples);
-        Self {
-            stride: samples.div_ceil(OVERVIEW).max(1),
-            minute_stride: minute.div_ceil(FIRST_MINUTE).max(1),
-            minute,
-            samples,
-            last: Instant::default(),
-            max: Extremes::default(),
-            overview: Vec::new(),
-            first_minute: Vec::new(),
-        }
-    }
-
-    fn add(&mut self, sample: u64, instant: &Instant) {
-        let Nine { position_m, velocity_m_s, attitude_arcsec } = instant.drift;
-        let max = &mut self.max;
-        for (most, now) in [
-            (&mut max.components.position_m, position_m),
-            (&mut max.components.velocity_m_s, velocity_m_s),
-            (&mut max.components.attitude_arcsec, attitude_arcsec),
-        ] {
-            for (most, now) in most.iter_mut().zip(now) {
-                *most = largest(*most, now.abs());
-            }
-        }
-        for (most, now) in max.norms.iter_mut().zip([position_m, velocity_m_s, attitude_arcsec]) {
-            *most = largest(*most, Vector::from(now).norm());
-        }
-        if sample.is_multiple_of(self.stride) || sample == self.samples {
-            self.overview.push(*instant);
-        }
-        if sample <= self.minute && sample.is_multiple_of(self.minute_stride) {
-            self.first_minute.push(*instant);
-        }
-        self.last = *instant;
-    }
-}
-
-/// The larger; a NaN is kept for everyone to see.
-fn largest(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
 }

@@ -5,6 +5,7 @@
 
 use super::real::{Real, Scalar};
 use super::twin::Both;
+use crate::wrapped_constants;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use micromath::F32Ext;
 
@@ -38,19 +39,7 @@ impl Neg for Coarse {
 impl Real for Coarse {
     type Mask = bool;
     type Twin = Both<Self>;
-    const ZERO: Self = Self(0.0);
-    const ONE: Self = Self(1.0);
-    const TWO: Self = Self(2.0);
-    const HALF: Self = Self(0.5);
-    const INVERSE: [Self; 24] = {
-        let mut table = [Self(0.0); 24];
-        let mut n = 1;
-        while n < 24 {
-            table[n] = Self(<f32 as Real>::INVERSE[n]);
-            n += 1;
-        }
-        table
-    };
+    wrapped_constants!(f32, Self);
 
     #[inline(always)]
     fn of(literal: f64) -> Self {

@@ -90,6 +90,27 @@ pub trait Scalar: Real + PartialOrd {
     fn narrow(x: f64) -> Self;
 }
 
+/// The constants of a [`Real`] that is made of another one: `wrapped_constants!(f32, Self)` within the
+/// implementation, with the type inside and the constant function or constructor that wraps it.
+#[macro_export]
+macro_rules! wrapped_constants {
+    ($inner:ty, $wrap:path) => {
+        const ZERO: Self = $wrap(<$inner as $crate::math::real::Real>::ZERO);
+        const ONE: Self = $wrap(<$inner as $crate::math::real::Real>::ONE);
+        const TWO: Self = $wrap(<$inner as $crate::math::real::Real>::TWO);
+        const HALF: Self = $wrap(<$inner as $crate::math::real::Real>::HALF);
+        const INVERSE: [Self; 24] = {
+            let mut table = [$wrap(<$inner as $crate::math::real::Real>::ZERO); 24];
+            let mut n = 1;
+            while n < 24 {
+                table[n] = $wrap(<$inner as $crate::math::real::Real>::INVERSE[n]);
+                n += 1;
+            }
+            table
+        };
+    };
+}
+
 macro_rules! inverse {
     ($t:ty) => {{
         let mut table = [0.0 as $t; 24];

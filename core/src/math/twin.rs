@@ -92,25 +92,6 @@ pub type DoubleTwin = wide::f64x2;
 #[cfg(not(feature = "std"))]
 pub type DoubleTwin = Both<f64>;
 
-#[cfg(feature = "std")]
-impl Twin<f64> for wide::f64x2 {
-    #[inline(always)]
-    fn new(a: f64, b: f64) -> Self {
-        Self::new([a, b])
-    }
-    #[inline(always)]
-    fn parts(self) -> (f64, f64) {
-        let [a, b] = self.to_array();
-        (a, b)
-    }
-    #[inline(always)]
-    fn all_within(values: [Self; 3], bounds: [Self; 3]) -> bool {
-        let [a, b, c] = values;
-        let [p, q, r] = bounds;
-        (a.abs().simd_le(p) & b.abs().simd_le(q) & c.abs().simd_le(r)).all()
-    }
-}
-
 /// Two singles: half a register.
 #[cfg(feature = "std")]
 pub type SingleTwin = wide::f32x4;
@@ -118,21 +99,31 @@ pub type SingleTwin = wide::f32x4;
 #[cfg(not(feature = "std"))]
 pub type SingleTwin = Both<f32>;
 
+/// Two numbers in a register, and what fills the rest of it.
 #[cfg(feature = "std")]
-impl Twin<f32> for wide::f32x4 {
-    #[inline(always)]
-    fn new(a: f32, b: f32) -> Self {
-        Self::new([a, b, 0.0, 0.0])
-    }
-    #[inline(always)]
-    fn parts(self) -> (f32, f32) {
-        let [a, b, ..] = self.to_array();
-        (a, b)
-    }
-    #[inline(always)]
-    fn all_within(values: [Self; 3], bounds: [Self; 3]) -> bool {
-        let [a, b, c] = values;
-        let [p, q, r] = bounds;
-        (a.abs().simd_le(p) & b.abs().simd_le(q) & c.abs().simd_le(r)).all()
-    }
+macro_rules! in_register {
+    ($twin:ty, $real:ty $(, $rest:literal)*) => {
+        impl Twin<$real> for $twin {
+            #[inline(always)]
+            fn new(a: $real, b: $real) -> Self {
+                Self::new([a, b $(, $rest)*])
+            }
+            #[inline(always)]
+            fn parts(self) -> ($real, $real) {
+                let [a, b, ..] = self.to_array();
+                (a, b)
+            }
+            #[inline(always)]
+            fn all_within(values: [Self; 3], bounds: [Self; 3]) -> bool {
+                let [a, b, c] = values;
+                let [p, q, r] = bounds;
+                (a.abs().simd_le(p) & b.abs().simd_le(q) & c.abs().simd_le(r)).all()
+            }
+        }
+    };
 }
+
+#[cfg(feature = "std")]
+in_register!(DoubleTwin, f64);
+#[cfg(feature = "std")]
+in_register!(SingleTwin, f32, 0.0, 0.0);

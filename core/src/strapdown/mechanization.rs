@@ -7,6 +7,7 @@ use crate::math::twin::Twin as _;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 use crate::solution::Solution;
+use core::hint::black_box;
 
 /// A mechanization: a configuration that carries a state from sample to sample.
 pub trait Mechanization {
@@ -18,6 +19,8 @@ pub trait Mechanization {
     type State: Copy;
     /// What it prints.
     type Output: Output<Self::Real>;
+    /// The body's motion over one of its steps.
+    type Body: Copy;
 
     /// Starts from an initial solution.
     fn start(&self, initial: &Solution<Self::Real>) -> Result<Self::State, StartError>;
@@ -31,8 +34,24 @@ pub trait Mechanization {
         sample: Increment<Self::Real>,
         read: impl FnMut(u64, Self::Output),
     ) -> Result<(), Rejected>;
+    /// Integrates what waits for samples; no row is read.
+    fn finish(&self, state: &mut Self::State);
     /// Completes the rows that wait for samples, and reads them.
     fn finish_rows(&self, state: &mut Self::State, read: impl FnMut(u64, Self::Output));
+    /// Takes a sample and shows every step that it completes: the number of samples at its end, the
+    /// body's motion over it, and the frame after it. What an audit records.
+    fn push_blocks(
+        &self,
+        state: &mut Self::State,
+        sample: Increment<Self::Real>,
+        see: impl FnMut(u64, &Self::Body, &Self::Frame),
+    ) -> Result<(), Rejected>;
+    /// Completes the steps that wait for samples, and shows them.
+    fn finish_blocks(
+        &self,
+        state: &mut Self::State,
+        see: impl FnMut(u64, &Self::Body, &Self::Frame),
+    );
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
     fn hold_vertical(&self, state: &mut Self::State, altitude: Self::Real, down: Self::Real);
     /// The frame's share of a state.
@@ -88,6 +107,8 @@ pub enum StartError {
     Attitude,
     /// The local-level frame cannot start at a pole.
     Pole,
+    /// The processor takes subnormal numbers for zero: its bits would be others than everywhere else.
+    FlushToZero,
 }
 
 impl core::fmt::Display for StartError {
@@ -99,6 +120,7 @@ impl core::fmt::Display for StartError {
             Self::Velocity => "the initial velocity must be finite and at most 100 km/s",
             Self::Attitude => "the initial attitude must be a unit quaternion",
             Self::Pole => "the local-level frame cannot start at a pole; earth-fixed can",
+            Self::FlushToZero => "the processor flushes subnormal numbers to zero; clear that mode",
         })
     }
 }
@@ -169,8 +191,21 @@ impl<R: Real> Gate<R> {
     }
 }
 
+/// Whether the processor computes with subnormal numbers, as IEEE 754 has it.
+#[inline(never)]
+pub fn subnormals_survive<R: Real>() -> bool {
+    // Half of the smallest normal number, and twice that again: both exact.
+    let normal = black_box(R::entry(f32::MIN_POSITIVE, f64::MIN_POSITIVE));
+    let subnormal = black_box(normal * R::HALF);
+    let back = subnormal + subnormal;
+    !R::any(back.less(normal)) & !R::any(normal.less(back))
+}
+
 /// An initial solution, if it can be right, its attitude brought to unit length.
 pub(super) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>, StartError> {
+    if !subnormals_survive::<R>() {
+        return Err(StartError::FlushToZero);
+    }
     // A remainder that is not finite shows in the sum.
     let position = initial.position.map(|c| c.hi + c.lo);
     let pole = R::of(core::f64::consts::FRAC_PI_2 * (1.0 + 1e-7));

@@ -3,24 +3,20 @@
 //! Look-ahead delays a row, it never changes it. The first block of a window that wants history looks
 //! ahead instead; the last ones look back; so a stream of any length ends with a row for every sample.
 
+mod edges;
+
 use super::block_time::BlockTime;
-use super::body::{self, BodyMotion, Sum};
-use super::fit::{Fit, MOST_SAMPLES};
+use super::body::BodyMotion;
 use super::frame::Frame;
 use super::inside::{BlockSeries, Mirror};
 use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, admit_start};
-use super::rows::{Every, Read, Unread};
-use super::window::{LINE_LAST_SAMPLES, Window};
+use super::rows::{Blocks, Every, Read, Unread};
+use super::window::Window;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Solution;
 use core::marker::PhantomData;
-
-/// Terms of the series of first and last blocks, whatever their window.
-const EDGE_TERMS: usize = 16;
-/// Samples at most in a stream's last blocks.
-const LAST_BLOCK: usize = 4;
 
 /// Configuration of a strapdown navigator in frame `F` with window `W`.
 #[derive(Clone, Copy, Debug)]
@@ -118,6 +114,17 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         self.take(state, sample, &mut Every(read))
     }
 
+    /// Takes a sample and shows every block that it completes, step by step: the number of samples at
+    /// the block's end, the body's motion over it, and the frame after it.
+    pub fn push_blocks(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+        see: impl FnMut(u64, &BodyMotion<R>, &F),
+    ) -> Result<(), Rejected> {
+        self.take(state, sample, &mut Blocks(see))
+    }
+
     /// Integrates what is pending: the stream is at its end. More samples may follow all the same.
     pub fn finish(&self, state: &mut State<F, W>) {
         self.last_blocks(state, &mut Unread);
@@ -126,6 +133,11 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// The same, reading every row.
     pub fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
         self.last_blocks(state, &mut Every(read));
+    }
+
+    /// The same, showing every block.
+    pub fn finish_blocks(&self, state: &mut State<F, W>, see: impl FnMut(u64, &BodyMotion<R>, &F)) {
+        self.last_blocks(state, &mut Blocks(see));
     }
 
     /// Navigation at the newest sample, without the look-ahead that its rows wait for.
@@ -140,7 +152,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         &self,
         state: &mut State<F, W>,
         sample: Increment<R>,
-        read: &mut impl Read<F::Output>,
+        read: &mut impl Read<F>,
     ) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
         if !state.frame.is_regular() {
@@ -180,7 +192,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 
     #[inline(always)]
-    fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F::Output>) {
+    fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
         let begin = state.filled - state.pending - W::HISTORY;
         let window = state.samples.as_ref().get(begin..).unwrap_or(&[]);
         if let Some((body, series)) =
@@ -190,51 +202,9 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
     }
 
-    /// A block of `block` samples within the window of `all` samples that starts `history` before it.
-    #[inline(never)]
-    fn edge_block(
-        &self,
-        state: &mut State<F, W>,
-        history: usize,
-        block: usize,
-        all: usize,
-        read: &mut impl Read<F::Output>,
-    ) {
-        let is_first = history == 0 && block == W::BLOCK && all == W::FIRST;
-        let begin = state.filled.saturating_sub(state.pending + history);
-        let samples = state.samples;
-        let window = samples.as_ref().get(begin..begin + all).unwrap_or(&[]);
-        let own = window.get(history..history + block).unwrap_or(&[]);
-        let time = BlockTime::new(self.interval, block);
-        let first = if is_first { W::first_fit(window) } else { None };
-        let (fit, sum) = first.unwrap_or_else(|| Fit::of_any(window, history, block));
-        let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::rounded(sum) };
-        let (body, series) = body::integrate::<R, MOST_SAMPLES, { EDGE_TERMS + 1 }>(
-            &fit, &sum, time.half, EDGE_TERMS,
-        );
-        self.step(state, &time, block, &body, &series, read);
-    }
-
-    /// The last blocks: the look-ahead that is missing goes to the history.
-    #[inline(never)]
-    fn last_blocks(&self, state: &mut State<F, W>, read: &mut impl Read<F::Output>) {
-        while state.pending > 0 {
-            let block = state.pending.min(W::BLOCK).min(LAST_BLOCK);
-            let most = if W::COEFFICIENTS < W::SAMPLES {
-                LINE_LAST_SAMPLES
-            } else {
-                W::SAMPLES.max(LAST_BLOCK)
-            };
-            let lookahead = (state.pending - block).min(most - block);
-            let past = state.filled - state.pending;
-            let history = past.min(most - block - lookahead);
-            self.edge_block(state, history, block, history + block + lookahead, read);
-        }
-    }
-
     /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads.
     #[inline(always)]
-    fn step<Q: Read<F::Output>>(
+    fn step<Q: Read<F>>(
         &self,
         state: &mut State<F, W>,
         time: &BlockTime<R>,
@@ -262,6 +232,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
         state.integrated += block as u64;
         state.pending -= block;
+        read.block(state.integrated, body, &state.frame);
     }
 }
 
@@ -270,6 +241,7 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
     type Frame = F;
     type State = State<F, W>;
     type Output = F::Output;
+    type Body = BodyMotion<F::Real>;
 
     fn start(&self, initial: &Solution<F::Real>) -> Result<State<F, W>, StartError> {
         Strapdown::start(self, initial)
@@ -287,8 +259,26 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
     ) -> Result<(), Rejected> {
         Strapdown::push_rows(self, state, sample, read)
     }
+    fn finish(&self, state: &mut State<F, W>) {
+        Strapdown::finish(self, state);
+    }
     fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
         Strapdown::finish_rows(self, state, read);
+    }
+    fn push_blocks(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<F::Real>,
+        see: impl FnMut(u64, &BodyMotion<F::Real>, &F),
+    ) -> Result<(), Rejected> {
+        Strapdown::push_blocks(self, state, sample, see)
+    }
+    fn finish_blocks(
+        &self,
+        state: &mut State<F, W>,
+        see: impl FnMut(u64, &BodyMotion<F::Real>, &F),
+    ) {
+        Strapdown::finish_blocks(self, state, see);
     }
     fn hold_vertical(&self, state: &mut State<F, W>, altitude: F::Real, down: F::Real) {
         state.frame.hold_vertical(altitude, down);

@@ -4,8 +4,7 @@
 //! residual drift; each limit below is where that falls under the rounding floor, found on the built-in
 //! scenes (`paper` has x = 1.2e-4, `hard` 0.3, `coning` 0.6, `vibration` 1.4).
 
-/// A window's shape: history, block, look-ahead.
-pub type Shape = (usize, usize, usize);
+pub use super::window::Shape;
 
 /// The digits that a navigator computes with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,36 +39,21 @@ struct Candidate(Shape, f64, f64);
 
 /// In double precision, the cheapest first: gravity's third difference is the last that counts in blocks
 /// of up to two seconds at rest, of one second in motion.
-const EARTH_FIXED: &[Candidate] = &[
-    Candidate((0, 40, 0), 0.0, 2.0),
-    Candidate((0, 20, 0), 1.3e-4, 1.0),
-    LINE,
-    FOUR,
-    TWO,
-    LONG_FOUR,
-    EIGHT,
-    ALL,
-];
-const LOCAL_LEVEL: &[Candidate] =
-    &[Candidate((0, 20, 0), 0.0, 2.0), LINE, FOUR, TWO, LONG_FOUR, EIGHT, ALL];
+const EARTH_FIXED: &[Candidate] =
+    &[Candidate((0, 40, 0), 0.0, 2.0), Candidate((0, 20, 0), 1.3e-4, 1.0), LINE, FOUR, TWO];
+const LOCAL_LEVEL: &[Candidate] = &[Candidate((0, 20, 0), 0.0, 2.0), LINE, FOUR, TWO];
 /// In single precision a long block rounds more at once, always the same way where nothing changes.
-const SINGLE: &[Candidate] = &[
-    Candidate((0, 4, 0), 0.0, 2.0),
-    Candidate((0, 12, 0), 2e-4, 1.0),
-    FOUR,
-    LONG_FOUR,
-    EIGHT,
-    ALL,
-];
-const TWO_FLOAT: &[Candidate] = &[LONG_FOUR, EIGHT, ALL];
+const SINGLE: &[Candidate] =
+    &[Candidate((0, 4, 0), 0.0, 2.0), Candidate((0, 12, 0), 2e-4, 1.0), FOUR];
+const TWO_FLOAT: &[Candidate] = &[];
+/// In any precision, where none of those suits.
+const LONG: [Candidate; 2] =
+    [Candidate((0, 4, 0), 0.03, f64::INFINITY), Candidate(UNKNOWN, 0.4, f64::INFINITY)];
 
 const LINE: Candidate = Candidate((0, 8, 0), 2e-4, 2.0);
 const FOUR: Candidate = Candidate((0, 4, 0), 0.03, 2.0);
 const TWO: Candidate = Candidate((0, 2, 0), 2e-4, f64::INFINITY);
-const LONG_FOUR: Candidate = Candidate((0, 4, 0), 0.03, f64::INFINITY);
-const EIGHT: Candidate = Candidate((2, 4, 2), 0.4, f64::INFINITY);
-const ALL: Candidate = Candidate(WIDEST, f64::INFINITY, f64::INFINITY);
-/// Twelve samples, the widest.
+/// Twelve samples: for the rest.
 const WIDEST: Shape = (4, 4, 4);
 
 /// The window for a flight.
@@ -84,11 +68,11 @@ pub fn window(flight: &Flight) -> Shape {
     let suits = |&&Candidate((_, block, _), most, longest_s): &&Candidate| {
         x <= most && block as f64 * flight.interval_s <= longest_s
     };
-    candidates.iter().find(suits).map_or(WIDEST, |&Candidate(shape, ..)| shape)
+    candidates.iter().chain(&LONG).find(suits).map_or(WIDEST, |&Candidate(shape, ..)| shape)
 }
 
 /// The window for a motion of which nothing is known.
-pub const UNKNOWN: Shape = EIGHT.0;
+pub const UNKNOWN: Shape = (2, 4, 2);
 
 /// An order that no window's series exceeds.
 pub const HIGHEST_ORDER: usize = 20;

@@ -1,17 +1,25 @@
 //! The byte form of a navigator's state: stored and read back, it goes on bit for bit.
 
+use super::body::BodyMotion;
 use super::frame::Frame;
 use super::navigator::State;
+use super::textbook::body::Compensated;
 use super::textbook::{TextbookFrame, TextbookState};
 use super::window::Window;
-use crate::record::Record;
+use crate::math::real::Real;
+use crate::record::{Record, record};
 use crate::sample::Increment;
 
 impl<R: Record> Record for Increment<R> {
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        self.angle_b.record(name, visit);
-        self.velocity_b.record(name, visit);
-    }
+    record!(angle_b, velocity_b);
+}
+
+impl<R: Real + Record> Record for BodyMotion<R> {
+    record!(rotation, rotation_low, velocity, velocity_low, position);
+}
+
+impl<R: Record> Record for Compensated<R> {
+    record!(rotation, velocity);
 }
 
 impl<F: Frame<Real: Record> + Record, W: Window> Record for State<F, W> {

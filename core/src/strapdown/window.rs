@@ -17,6 +17,9 @@ const FIRST_SAMPLES: usize = 14;
 /// Samples in the windows of the last blocks of a stream that lines or parabolas were fitted to.
 pub const LINE_LAST_SAMPLES: usize = 8;
 
+/// A window's shape: history, block, look-ahead.
+pub type Shape = (usize, usize, usize);
+
 /// A shape of window with its fit, its series and its storage.
 pub trait Window: Copy + Default + 'static {
     /// Samples before the block.
@@ -25,7 +28,9 @@ pub trait Window: Copy + Default + 'static {
     const BLOCK: usize;
     /// Samples after the block.
     const LOOKAHEAD: usize;
-    /// All of them.
+    /// All three.
+    const SHAPE: Shape = (Self::HISTORY, Self::BLOCK, Self::LOOKAHEAD);
+    /// Samples of all three.
     const SAMPLES: usize = Self::HISTORY + Self::BLOCK + Self::LOOKAHEAD;
     /// Samples in the window of the first block.
     const FIRST: usize = if Self::SAMPLES < FIRST_SAMPLES { FIRST_SAMPLES } else { Self::SAMPLES };
@@ -70,7 +75,7 @@ macro_rules! fit {
 }
 
 macro_rules! windows {
-    ($($(#[$doc:meta])* $name:ident = $h:literal, $b:literal, $a:literal, $fit:ident $k:literal, $m:literal;)+) => {
+    ($d:tt $($(#[$doc:meta])* $name:ident = $h:literal, $b:literal, $a:literal, $fit:ident $k:literal, $m:literal;)+) => {
         $(
             $(#[$doc])*
             #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -118,8 +123,15 @@ macro_rules! windows {
             }
         )+
 
-        /// Every named window as (history, block, look-ahead).
-        pub const NAMED: &[(usize, usize, usize)] = &[$(($h, $b, $a)),+];
+        /// The shape of every named window.
+        pub const NAMED: &[Shape] = &[$($name::SHAPE),+];
+
+        /// Calls a macro with the name of every window, behind what it is to be given first:
+        /// `every_window!(list! [frame])` is `list!([frame] H0B2A0, H0B3A0, …)`.
+        #[macro_export]
+        macro_rules! every_window {
+            ($d each:ident! $d($d first:tt)*) => { $d each! { $d($d first)* $($name),+ } };
+        }
     };
 }
 
@@ -130,7 +142,7 @@ const fn capacity(h: usize, b: usize, a: usize) -> usize {
     if h > 0 && sliding < FIRST_SAMPLES { FIRST_SAMPLES } else { sliding }
 }
 
-windows! {
+windows! { $
     // name       H  B  A  fit and its coefficients, terms
     /// Two samples, no delay beyond the block.
     H0B2A0 = 0, 2, 0, through 2, 6;

@@ -6,6 +6,7 @@ use crate::earth::{Geodetic, Radii};
 use crate::math::compensated::Pair;
 use crate::math::real::{Real, Scalar};
 use crate::math::vector::Vector;
+use crate::record::{Record, record};
 use crate::solution::{Euler, Solution};
 
 /// A function of time at one instant, with its first two derivatives.
@@ -38,6 +39,18 @@ pub struct Motion<R> {
     pub longitude: Jet<R>,
     /// Height above the ellipsoid h.
     pub altitude: Jet<R>,
+}
+
+impl<R: Record> Record for Jet<R> {
+    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
+        self.value.record(name, visit);
+        self.first.record(name, visit);
+        self.second.record(name, visit);
+    }
+}
+
+impl<R: Record> Record for Motion<R> {
+    record!(roll, pitch, yaw, latitude, longitude, altitude);
 }
 
 /// How lively a motion can be at most: what quadrature and windows are planned from.

@@ -1,7 +1,9 @@
 //! The command line: commands, their options, and what they do to a scene.
 
+mod audit;
 mod options;
 
+pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use options::{FlightOptions, NavigatorOptions, Window};
 
 use crate::input::{Complaint, InputError};
@@ -46,6 +48,9 @@ pub enum Command {
     Stress(StressArgs),
     /// Fly many runs of a scene: does their drift scatter as theory says?
     Ensemble(EnsembleArgs),
+    /// Digests of flights, and where two of them first part
+    #[command(subcommand)]
+    Audit(AuditCommand),
     /// List the built-in scenes
     #[command(after_help = "Example:\n  schuler scenes")]
     Scenes,
@@ -79,10 +84,7 @@ pub struct RunArgs {
 impl RunArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
-        let mut scene = load(self.scene.as_deref())?;
-        self.flight.apply(&mut scene)?;
-        self.navigator.apply(&mut scene.navigator)?;
-        Ok(scene)
+        load(self.scene.as_deref(), &self.flight, &self.navigator)
     }
 }
 
@@ -109,8 +111,8 @@ pub struct EmulateArgs {
 impl EmulateArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
-        let mut scene = load(self.scene.as_deref())?;
-        self.flight.apply(&mut scene)?;
+        let name = self.scene.as_deref();
+        let mut scene = load(name, &self.flight, &NavigatorOptions::default())?;
         if self.perfect {
             scene.gyro = Default::default();
             scene.accelerometer = Default::default();
@@ -230,13 +232,18 @@ pub struct EnsembleArgs {
 impl EnsembleArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
-        let mut scene = load(self.scene.as_deref())?;
-        self.flight.apply(&mut scene)?;
-        self.navigator.apply(&mut scene.navigator)?;
-        Ok(scene)
+        load(self.scene.as_deref(), &self.flight, &self.navigator)
     }
 }
 
-fn load(name: Option<&str>) -> Result<Scene, InputError> {
-    crate::scene::load(name.unwrap_or(builtin::DEFAULT))
+/// A scene, with options applied.
+fn load(
+    name: Option<&str>,
+    flight: &FlightOptions,
+    navigator: &NavigatorOptions,
+) -> Result<Scene, InputError> {
+    let mut scene = crate::scene::load(name.unwrap_or(builtin::DEFAULT))?;
+    flight.apply(&mut scene)?;
+    navigator.apply(&mut scene.navigator)?;
+    Ok(scene)
 }

@@ -1,6 +1,7 @@
 //! All comparisons as `ensemble.csv`.
 
-use super::statistics::{COMPONENTS, Comparison};
+use super::statistics::Comparison;
+use crate::flight::Nine;
 
 /// The columns of `ensemble.csv`, in the unit that the component's name carries. The χ² of the mean has
 /// one degree of freedom, that of the standard deviation one less than there are runs; `_probability`
@@ -32,7 +33,7 @@ pub fn bytes(comparisons: &[Comparison]) -> Vec<u8> {
         let [[mean_chi_square, mean_probability], [sigma_chi_square, sigma_probability]] = tests;
         let _ = lines.write_record([
             number(c.time_s),
-            COMPONENTS[c.component].to_owned(),
+            Nine::NAMES[c.component].to_owned(),
             number(c.mean),
             number(c.mean_theory),
             number(c.sigma),

@@ -1,7 +1,7 @@
 //! Runs that fly together on one core: four abreast where a window is compiled for lanes, else one.
 
 use crate::lanes::pack::{Four, Lanes, RUNS};
-use crate::lanes::{Abreast, NoStart, Refused, Split, pack};
+use crate::lanes::{Abreast, InLanes, Refused, Split, in_registers, pack};
 use crate::navigator::{self, Navigate, Unavailable};
 use crate::plan::Plan;
 use crate::scene::{Frame, Scene};
@@ -41,7 +41,6 @@ pub trait Group: Send {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// Four abreast in AVX2 registers.
-    #[cfg(target_arch = "x86_64")]
     Avx2,
     /// Four abreast, as any machine can.
     Four,
@@ -51,12 +50,7 @@ pub enum Unit {
 
 impl Unit {
     /// All there are, the fastest first.
-    pub const ALL: &[Self] = &[
-        #[cfg(target_arch = "x86_64")]
-        Self::Avx2,
-        Self::Four,
-        Self::Alone,
-    ];
+    pub const ALL: &[Self] = &[Self::Avx2, Self::Four, Self::Alone];
 
     /// How many runs it takes side by side.
     pub fn runs(self) -> usize {
@@ -65,7 +59,7 @@ impl Unit {
 
     /// Whether its lanes are those of AVX2.
     pub fn is_in_registers(self) -> bool {
-        !matches!(self, Self::Four | Self::Alone)
+        self == Self::Avx2
     }
 }
 
@@ -103,8 +97,7 @@ impl<'a> Ground<'a> {
         runs: Range<u64>,
     ) -> Result<Option<Box<dyn Group + 'a>>, Unavailable> {
         match unit {
-            #[cfg(target_arch = "x86_64")]
-            Unit::Avx2 => self.abreast::<crate::lanes::avx2::Avx2>(runs),
+            Unit::Avx2 => in_registers(Start { ground: self, runs }).unwrap_or(Ok(None)),
             Unit::Four => self.abreast::<Four>(runs),
             Unit::Alone => {
                 let (navigator, plan) = (&self.scene.navigator, &self.plan);
@@ -125,7 +118,7 @@ impl<'a> Ground<'a> {
         Pair::new(self.scene.rate_hz).reciprocal()
     }
 
-    fn abreast<P: Lanes + Send>(
+    fn abreast<P: Lanes>(
         &self,
         runs: Range<u64>,
     ) -> Result<Option<Box<dyn Group + 'a>>, Unavailable> {
@@ -137,7 +130,7 @@ impl<'a> Ground<'a> {
 
     fn in_frame<F>(&self, runs: Range<u64>) -> Result<Option<Box<dyn Group + 'a>>, Unavailable>
     where
-        F: frame::Frame<Real: Lanes + Send, Output: Split<Alone: Output<f64>>> + Send + 'static,
+        F: frame::Frame<Real: Lanes, Output: Split<Alone: Output<f64>>> + Send + 'static,
     {
         let window = self.plan.window;
         let shape = (window.history, window.block, window.lookahead);
@@ -145,24 +138,31 @@ impl<'a> Ground<'a> {
         macro_rules! windows {
             ($($name:ident),+) => {
                 $(if ($name::HISTORY, $name::BLOCK, $name::LOOKAHEAD) == shape {
-                    let started = Abreast::<F, $name>::start(
+                    let abreast = Abreast::<F, $name>::start(
                         self.interval_s(),
                         self.plan.order,
                         &[self.initial; RUNS],
-                    );
-                    return match started {
-                        Ok(abreast) => {
-                            let streams = runs.map(|run| self.source.start(run)).collect();
-                            Ok(Some(Box::new(Pack { abreast, streams, measured: Vec::new() })))
-                        }
-                        Err(NoStart::Processor) => Ok(None),
-                        Err(NoStart::Start(error)) => Err(error.into()),
-                    };
+                    )?;
+                    let streams = runs.map(|run| self.source.start(run)).collect();
+                    return Ok(Some(Box::new(Pack { abreast, streams, measured: Vec::new() })));
                 })+
             };
         }
         windows!(H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20);
         Ok(None)
+    }
+}
+
+/// The start of runs abreast, in lanes of any kind.
+struct Start<'g, 'a> {
+    ground: &'g Ground<'a>,
+    runs: Range<u64>,
+}
+
+impl<'a> InLanes for Start<'_, 'a> {
+    type Output = Result<Option<Box<dyn Group + 'a>>, Unavailable>;
+    fn run<P: Lanes>(self) -> Self::Output {
+        self.ground.abreast::<P>(self.runs)
     }
 }
 

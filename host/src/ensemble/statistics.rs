@@ -9,19 +9,6 @@ use crate::simulate::nine;
 use crate::theory::Theory;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-/// The components as files name them.
-pub const COMPONENTS: [&str; 9] = [
-    "north_m",
-    "east_m",
-    "down_m",
-    "north_m_s",
-    "east_m_s",
-    "down_m_s",
-    "roll_arcsec",
-    "pitch_arcsec",
-    "yaw_arcsec",
-];
-
 /// What theory says scatters less than this is left to rounding, m, m/s, arcsec.
 const LEAST_SIGMA: [f64; 3] = [1e-6, 1e-8, 1e-5];
 
@@ -42,7 +29,7 @@ pub struct Test {
 pub struct Comparison {
     /// Seconds since the start.
     pub time_s: f64,
-    /// Which of [`COMPONENTS`].
+    /// Which of [`Nine::NAMES`].
     pub component: usize,
     /// Over the runs.
     pub mean: f64,
@@ -104,21 +91,15 @@ pub fn compare(
     for reading in readings {
         let time_s = time_s(reading.samples);
         let expected = theory.at(time_s);
-        let (mean, sigma) = (numbers(&nine(&expected.mean)), numbers(&nine(&expected.sigma)));
-        let runs: Vec<_> = reading.drifts.iter().map(|drift| numbers(&nine(drift))).collect();
-        for component in 0..COMPONENTS.len() {
+        let (mean, sigma) = (nine(&expected.mean).numbers(), nine(&expected.sigma).numbers());
+        let runs: Vec<_> = reading.drifts.iter().map(|drift| nine(drift).numbers()).collect();
+        for component in 0..Nine::NAMES.len() {
             let values: Vec<_> = runs.iter().map(|run| run[component]).collect();
             let theory = [mean[component], sigma[component]];
             comparisons.push(Comparison::new(time_s, component, &values, theory));
         }
     }
     comparisons
-}
-
-/// In the order of [`COMPONENTS`].
-fn numbers(nine: &Nine) -> [f64; 9] {
-    let parts = [nine.position_m, nine.velocity_m_s, nine.attitude_arcsec];
-    std::array::from_fn(|i| parts[i / 3][i % 3])
 }
 
 /// Whether an ensemble follows theory: each of its tests at the level that makes [`RISK`] of all.

@@ -1,6 +1,7 @@
 //! The ensemble beside theory, as a table.
 
-use super::statistics::{COMPONENTS, Comparison, RISK, Test, Verdict};
+use super::statistics::{Comparison, RISK, Test, Verdict};
+use crate::flight::Nine;
 use crate::report::number::{parameter, rounded, short};
 
 /// Characters of a line.
@@ -10,7 +11,7 @@ const TESTED: [&str; 2] = ["mean", "standard deviation"];
 
 /// The end in numbers, every instant as ratios, the verdict.
 pub fn table(comparisons: &[Comparison], runs: u64) -> String {
-    let instants: Vec<&[Comparison]> = comparisons.chunks(COMPONENTS.len()).collect();
+    let instants: Vec<&[Comparison]> = comparisons.chunks(Nine::NAMES.len()).collect();
     let mut text = String::new();
     if let Some(end) = instants.last() {
         text += &at_end(end);
@@ -52,7 +53,7 @@ fn at_end(end: &[Comparison]) -> String {
         });
         text += &format!(
             "{:<14}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n",
-            COMPONENTS[c.component],
+            Nine::NAMES[c.component],
             short(c.mean),
             short(c.mean_theory),
             short(c.sigma),
@@ -73,7 +74,7 @@ fn every_instant(
     chance: &str,
 ) -> String {
     let mut text = format!("{title} ({chance})\n{:>9} ", "s");
-    text += &COMPONENTS.map(|name| format!("{:>10}", name.trim_end_matches("_arcsec"))).concat();
+    text += &Nine::NAMES.map(|name| format!("{:>10}", name.trim_end_matches("_arcsec"))).concat();
     text += &format!("\n{}\n", "─".repeat(WIDTH));
     for instant in instants {
         let Some(first) = instant.first() else { continue };
@@ -96,7 +97,7 @@ fn verdict(comparisons: &[Comparison]) -> String {
         return "theory sees nothing scatter: nothing to compare\n".to_owned();
     };
     let Comparison { component, time_s, .. } = comparisons[place];
-    let (name, time_s, what) = (COMPONENTS[component], parameter(time_s), TESTED[which]);
+    let (name, time_s, what) = (Nine::NAMES[component], parameter(time_s), TESTED[which]);
     let worst = format!("{what} of {name} at {time_s} s, p = {}", rounded(probability, 2));
     if failed == 0 {
         format!(

@@ -1,23 +1,17 @@
 //! What is compared: algorithm and window, frame, precision, the source of functions.
 
 use super::rates::{NavigateRates, OnRates};
-use crate::navigator::{self, Navigate, Unavailable};
+use crate::navigator::{self, COMPARED, Navigate, TAYLOR, TWO_FLOAT, Unavailable};
 use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
 use schuler::math::coarse::Coarse;
 use schuler::math::compensated::{Pair, Plain};
 use schuler::solution::Solution;
 use schuler::strapdown::earth_fixed::EarthFixed;
 use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::plan::{self, Digits, Flight, Shape};
+use schuler::strapdown::plan::{self, Digits, Flight};
 use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook};
-use schuler::strapdown::window::NAMED;
 use schuler::trajectory::Bound;
 use std::fmt;
-
-/// The windows of the arithmetics that are there to be compared with.
-pub const COMPARED: [Shape; 3] = [(0, 4, 0), (2, 4, 2), (0, 8, 0)];
-/// The windows to be had with two-float products.
-const TWO_FLOAT: [Shape; 4] = [(0, 4, 0), (4, 4, 0), (2, 4, 2), (4, 4, 4)];
 
 /// How samples are integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,7 +100,7 @@ impl Case {
         let mut all: Vec<_> = uncompensated.map(case(Method::RungeKutta, Frame::EarthFixed)).into();
         for &(_, frame) in Frame::NAMES {
             all.extend(uncompensated.map(case(Method::Textbook, frame)));
-            for shape in NAMED {
+            for shape in TAYLOR {
                 let taylor = case(Method::Taylor((*shape).into()), frame);
                 all.extend([Named(Precision::F64), Named(Precision::F32)].map(taylor));
                 if COMPARED.contains(shape) {

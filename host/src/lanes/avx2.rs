@@ -1,15 +1,16 @@
 //! Four numbers in a 256-bit register.
 
 use super::pack::{Lanes, RUNS, functions};
+use super::sealed::Sealed;
 use schuler::math::real::Real;
 use schuler::math::twin::Both;
 use std::arch::x86_64::*;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Four numbers in a 256-bit register. Only code that asked for the processor's AVX2 computes with it.
+/// Four numbers in a 256-bit register. Nobody gets one but by `in_registers`, which asks the processor.
 #[derive(Clone, Copy)]
-pub struct Avx2(__m256d);
+pub(super) struct Avx2(__m256d);
 
 /// What `upper_half` keeps of an f64.
 const UPPER_HALF: u64 = 0xffff_ffff_f800_0000;
@@ -17,7 +18,7 @@ const UPPER_HALF: u64 = 0xffff_ffff_f800_0000;
 /// Calls an intrinsic.
 macro_rules! call {
     ($f:ident $(::<$c:ident>)? ($($x:expr),*)) => {
-        // SAFETY: needs AVX, which `Abreast::start` asks the processor for before it flies such a pack.
+        // SAFETY: needs AVX, which `in_registers` asked the processor for: no other way leads here.
         unsafe { $f$(::<$c>)?($($x),*) }
     };
 }
@@ -30,11 +31,10 @@ impl Avx2 {
     }
 }
 
+impl Sealed for Avx2 {}
+
 impl Lanes for Avx2 {
     const AVX2: bool = true;
-    fn is_available() -> bool {
-        is_x86_feature_detected!("avx2")
-    }
     #[inline(always)]
     fn from_lanes(lanes: [f64; RUNS]) -> Self {
         // SAFETY: as in `all`.
@@ -84,24 +84,12 @@ impl Neg for Avx2 {
 
 /// All bits of a lane, or none.
 #[derive(Clone, Copy)]
-pub struct Mask(__m256d);
+pub(super) struct Mask(__m256d);
 
 impl Real for Avx2 {
     type Mask = Mask;
     type Twin = Both<Self>;
-    const ZERO: Self = Self::all(0.0);
-    const ONE: Self = Self::all(1.0);
-    const TWO: Self = Self::all(2.0);
-    const HALF: Self = Self::all(0.5);
-    const INVERSE: [Self; 24] = {
-        let mut table = [Self::all(0.0); 24];
-        let mut n = 1;
-        while n < 24 {
-            table[n] = Self::all(<f64 as Real>::INVERSE[n]);
-            n += 1;
-        }
-        table
-    };
+    schuler::wrapped_constants!(f64, Self::all);
 
     functions!();
 

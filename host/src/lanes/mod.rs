@@ -4,7 +4,7 @@
 //! processor decides at run time. Each lane has the bits of its run flown alone.
 
 #[cfg(target_arch = "x86_64")]
-pub mod avx2;
+mod avx2;
 pub mod pack;
 
 use pack::{Lanes, RUNS};
@@ -18,32 +18,35 @@ use schuler::strapdown::navigator::{State, Strapdown};
 use schuler::strapdown::window::Window;
 use std::array;
 
+/// Keeps [`Lanes`] in this house.
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// What can be done in lanes of any kind.
+pub trait InLanes {
+    /// What comes of it.
+    type Output;
+    /// Does it in lanes of this kind.
+    fn run<P: Lanes>(self) -> Self::Output;
+}
+
+/// Does it in AVX2 registers, if the processor has them.
+pub fn in_registers<T: InLanes>(task: T) -> Option<T::Output> {
+    #[cfg(target_arch = "x86_64")]
+    if is_x86_feature_detected!("avx2") {
+        return Some(task.run::<avx2::Avx2>());
+    }
+    drop(task);
+    None
+}
+
 /// Four runs in flight: in frame `F` over a pack, with window `W`.
 #[derive(Clone, Copy)]
 pub struct Abreast<F: Frame, W: Window> {
     strapdown: Strapdown<F, W>,
     state: State<F, W>,
 }
-
-/// Why four runs cannot start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoStart {
-    /// This processor has no such registers.
-    Processor,
-    /// The core refuses.
-    Start(StartError),
-}
-
-impl std::fmt::Display for NoStart {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Processor => f.write_str("this processor has no AVX2"),
-            Self::Start(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for NoStart {}
 
 impl<P, F, W> Abreast<F, W>
 where
@@ -57,14 +60,11 @@ where
         interval_s: Pair<f64>,
         order: usize,
         initial: &[Solution<f64>; RUNS],
-    ) -> Result<Self, NoStart> {
-        if !P::is_available() {
-            return Err(NoStart::Processor);
-        }
+    ) -> Result<Self, StartError> {
         let same = |x: f64| P::from_lanes([x; RUNS]);
         let interval_s = Pair { hi: same(interval_s.hi), lo: same(interval_s.lo) };
-        let strapdown = Strapdown::new(interval_s).map_err(NoStart::Start)?.with_order(order);
-        let state = strapdown.start(&join(initial)).map_err(NoStart::Start)?;
+        let strapdown = Strapdown::new(interval_s)?.with_order(order);
+        let state = strapdown.start(&join(initial))?;
         Ok(Self { strapdown, state })
     }
 
@@ -73,7 +73,7 @@ where
     pub fn push(&mut self, samples: &[Increment<P>]) -> Result<(), Refused> {
         #[cfg(target_arch = "x86_64")]
         if P::AVX2 {
-            // SAFETY: it needs AVX2 and nothing else, and `start` asked the processor for it.
+            // SAFETY: it needs AVX2 and nothing else, and `in_registers` asked the processor for it.
             return unsafe { push_avx2(&self.strapdown, &mut self.state, samples) };
         }
         push(&self.strapdown, &mut self.state, samples)

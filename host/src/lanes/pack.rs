@@ -3,6 +3,7 @@
 //! Every lane computes what a lone `f64` would, to the bit: IEEE 754 fixes the operations, and functions
 //! are `f64`'s own. [`Four`] is what any machine has, `Avx2` a vector register.
 
+use super::sealed::Sealed;
 use schuler::math::real::Real;
 use schuler::math::twin::Both;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -10,10 +11,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// How many runs go side by side.
 pub const RUNS: usize = 4;
 
-/// A number of each run.
-pub trait Lanes: Real {
-    /// Whether this machine has what it takes.
-    fn is_available() -> bool;
+/// A number of each run. Nobody else can have lanes: `AVX2` vouches for the processor.
+pub trait Lanes: Real + Send + Sealed {
     /// From a number of each run.
     fn from_lanes(lanes: [f64; RUNS]) -> Self;
     /// The numbers of all runs.
@@ -38,11 +37,10 @@ impl Four {
     }
 }
 
+impl Sealed for Four {}
+
 impl Lanes for Four {
     const AVX2: bool = false;
-    fn is_available() -> bool {
-        true
-    }
     #[inline(always)]
     fn from_lanes(lanes: [f64; RUNS]) -> Self {
         Self(lanes)
@@ -120,19 +118,7 @@ pub(super) use functions;
 impl Real for Four {
     type Mask = [bool; RUNS];
     type Twin = Both<Self>;
-    const ZERO: Self = Self::all(0.0);
-    const ONE: Self = Self::all(1.0);
-    const TWO: Self = Self::all(2.0);
-    const HALF: Self = Self::all(0.5);
-    const INVERSE: [Self; 24] = {
-        let mut table = [Self::all(0.0); 24];
-        let mut n = 1;
-        while n < 24 {
-            table[n] = Self::all(<f64 as Real>::INVERSE[n]);
-            n += 1;
-        }
-        table
-    };
+    schuler::wrapped_constants!(f64, Self::all);
 
     functions!();
 

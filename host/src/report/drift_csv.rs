@@ -5,29 +5,6 @@ use crate::input::InputError;
 use crate::output::NumberTable;
 use std::path::Path;
 
-/// The time, nine numbers of drift, and the standard deviation of each.
-const COLUMNS: [&str; 19] = [
-    "time_s",
-    "north_m",
-    "east_m",
-    "down_m",
-    "north_m_s",
-    "east_m_s",
-    "down_m_s",
-    "roll_arcsec",
-    "pitch_arcsec",
-    "yaw_arcsec",
-    "north_m_sigma",
-    "east_m_sigma",
-    "down_m_sigma",
-    "north_m_s_sigma",
-    "east_m_s_sigma",
-    "down_m_s_sigma",
-    "roll_arcsec_sigma",
-    "pitch_arcsec_sigma",
-    "yaw_arcsec_sigma",
-];
-
 /// A `drift.csv` being written.
 #[derive(Debug)]
 pub struct DriftCsv {
@@ -35,21 +12,19 @@ pub struct DriftCsv {
 }
 
 impl DriftCsv {
-    /// With its header.
+    /// With its header: the time, nine numbers of drift, the standard deviation of each.
     pub fn create(path: &Path) -> Result<Self, InputError> {
-        Ok(Self { table: NumberTable::create(path, &COLUMNS)? })
+        let sigma = Nine::NAMES.map(|name| format!("{name}_sigma"));
+        let mut columns = vec!["time_s"];
+        columns.extend(Nine::NAMES);
+        columns.extend(sigma.iter().map(String::as_str));
+        Ok(Self { table: NumberTable::create(path, &columns)? })
     }
 
     /// Adds a row: time, drift and standard deviations.
     pub fn row(&mut self, instant: &Instant) -> Result<(), InputError> {
-        let mut row = [instant.time_s; COLUMNS.len()];
-        for (group, nine) in row[1..].chunks_exact_mut(9).zip([&instant.drift, &instant.sigma]) {
-            let Nine { position_m, velocity_m_s, attitude_arcsec } = nine;
-            group[..3].copy_from_slice(position_m);
-            group[3..6].copy_from_slice(velocity_m_s);
-            group[6..].copy_from_slice(attitude_arcsec);
-        }
-        self.table.row(&row)
+        let Instant { time_s, drift, sigma, .. } = instant;
+        self.table.row(&[&[*time_s][..], &drift.numbers(), &sigma.numbers()].concat())
     }
 
     /// Puts the file in its place.

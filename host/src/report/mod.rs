@@ -14,6 +14,7 @@ pub mod figures;
 pub mod html;
 pub mod motion_charts;
 pub mod number;
+pub mod page;
 pub mod parameters;
 pub mod plot;
 pub mod raster;

@@ -168,19 +168,7 @@ impl<T: Format> Neg for Stochastic<T> {
 impl<T: Format<Mask = bool>> Real for Stochastic<T> {
     type Mask = bool;
     type Twin = Both<Self>;
-    const ZERO: Self = Self(T::ZERO);
-    const ONE: Self = Self(T::ONE);
-    const TWO: Self = Self(T::TWO);
-    const HALF: Self = Self(T::HALF);
-    const INVERSE: [Self; 24] = {
-        let mut table = [Self(T::ZERO); 24];
-        let mut n = 0;
-        while n < 24 {
-            table[n] = Self(T::INVERSE[n]);
-            n += 1;
-        }
-        table
-    };
+    schuler::wrapped_constants!(T, Self);
 
     fn of(literal: f64) -> Self {
         Self(T::of(literal))

@@ -3,8 +3,9 @@
 use super::erring;
 use schuler_host::ensemble::fleet::{self, Flown};
 use schuler_host::ensemble::group::{Ground, Unit};
-use schuler_host::ensemble::statistics::{COMPONENTS, Comparison, RISK, Test, Verdict, compare};
+use schuler_host::ensemble::statistics::{Comparison, RISK, Test, Verdict, compare};
 use schuler_host::ensemble::table::table;
+use schuler_host::flight::Nine;
 use schuler_host::scene::Scene;
 use schuler_host::source::Source;
 use schuler_host::theory::Theory;
@@ -70,7 +71,7 @@ fn a_small_ensemble_by_hand() {
         let (mu, sigma) = (number(&expected.mean), number(&expected.sigma));
         let mean = x.iter().sum::<f64>() / 9.0;
         let squares: f64 = x.iter().map(|x| (x - mean).powi(2)).sum();
-        let what = format!("{} at {time_s}", COMPONENTS[i]);
+        let what = format!("{} at {time_s}", Nine::NAMES[i]);
         assert_eq!((comparison.component, comparison.time_s), (i, time_s));
         assert_eq!((comparison.mean_theory, comparison.sigma_theory), (mu, sigma), "{what}");
         close(comparison.mean, mean, &what);

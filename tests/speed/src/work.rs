@@ -1,6 +1,7 @@
 //! What is measured, by instructions and by time: a navigator under way, the making of samples.
 
-use crate::paper::{self, Course, RATE_HZ, Sensors};
+use crate::flight::{Course, Flight, Hard, Manoeuvre, Paper};
+use crate::paper::{self, Sensors};
 use schuler::imu::Quadrature;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
@@ -19,6 +20,7 @@ use schuler::strapdown::textbook::{
 use schuler::strapdown::window::{H0B4A0, H2B4A2, Line8, Window};
 use schuler::trajectory::Trajectory as _;
 use std::hint::black_box;
+use std::marker::PhantomData;
 
 /// Samples that a measurement goes over: whole blocks of every window.
 pub const SAMPLES: u64 = 960;
@@ -33,23 +35,24 @@ pub trait Work: Sized {
     fn run(&self);
 }
 
-/// The paper's motion with the quadrature of its rates.
+/// A flight's motion with the quadrature of its rates.
 pub struct Perfect {
     course: Course,
+    rate_hz: f64,
     quadrature: Quadrature,
 }
 
 impl Perfect {
-    fn new() -> Self {
-        let course = paper::course().unwrap();
-        let quadrature = Quadrature::plan(course.bound().bandwidth, 1.0 / RATE_HZ);
-        Self { course, quadrature }
+    fn new<C: Flight>() -> Self {
+        let course = C::course().unwrap();
+        let quadrature = Quadrature::plan(course.bound().bandwidth, 1.0 / C::RATE_HZ);
+        Self { course, rate_hz: C::RATE_HZ, quadrature }
     }
 
     /// The perfect increment of a sample.
     #[inline]
     fn sample(&self, sample: u64) -> Increment<f64> {
-        let end = |sample| sample as f64 / RATE_HZ;
+        let end = |sample| sample as f64 / self.rate_hz;
         self.quadrature.increment(&self.course, end(sample - 1), end(sample))
     }
 
@@ -60,7 +63,7 @@ impl Perfect {
 
 impl Work for Perfect {
     fn prepare() -> Self {
-        Self::new()
+        Self::new::<Paper>()
     }
 
     #[inline(always)]
@@ -71,7 +74,7 @@ impl Work for Perfect {
     }
 }
 
-/// A navigator in the middle of the paper's flight, with the samples that come next.
+/// A navigator in the middle of a flight, with the samples that come next.
 pub struct Navigation<M: Mechanization> {
     mechanization: M,
     state: M::State,
@@ -100,12 +103,44 @@ impl<M: Mechanization<Real: Scalar>> Navigation<M> {
         }
         black_box(&state);
     }
+
+    /// Every row is read. Flights share this code.
+    #[inline(never)]
+    fn fly_rows(&self) {
+        let mut state = self.state;
+        for &sample in &self.samples {
+            let read = |n, row| {
+                black_box((n, row));
+            };
+            let _ = self.mechanization.push_rows(&mut state, sample, read);
+        }
+        black_box(&state);
+    }
+}
+
+impl<F: Frame<Real: Scalar>, W: Window> Navigation<Strapdown<F, W>> {
+    /// With a series of the order that the plan chooses for the motion.
+    fn on<C: Flight>() -> Self {
+        let motion = Perfect::new::<C>();
+        let interval_s = Pair::new(C::RATE_HZ).reciprocal();
+        let bound = motion.course.bound();
+        let flight = plan::Flight {
+            bandwidth: bound.bandwidth,
+            angular_rate: bound.angular_rate,
+            interval_s: interval_s.hi,
+            digits: plan::Digits::Double,
+            earth_fixed: true,
+        };
+        let order = plan::order(&flight, W::SHAPE);
+        let strapdown = Strapdown::new(Pair::narrow(interval_s)).unwrap();
+        Self::new(&motion, strapdown.with_order(order))
+    }
 }
 
 impl<F: TextbookFrame<Real: Scalar>> Work for Navigation<Textbook<F>> {
     fn prepare() -> Self {
-        let interval_s = F::Real::narrow(1.0 / RATE_HZ);
-        Self::new(&Perfect::new(), Textbook::new(interval_s).unwrap())
+        let interval_s = F::Real::narrow(1.0 / Paper::RATE_HZ);
+        Self::new(&Perfect::new::<Paper>(), Textbook::new(interval_s).unwrap())
     }
 
     #[inline(always)]
@@ -115,26 +150,30 @@ impl<F: TextbookFrame<Real: Scalar>> Work for Navigation<Textbook<F>> {
 }
 
 impl<F: Frame<Real: Scalar>, W: Window> Work for Navigation<Strapdown<F, W>> {
-    /// With a series of the order that the plan chooses for the motion.
     fn prepare() -> Self {
-        let motion = Perfect::new();
-        let interval_s = Pair::new(RATE_HZ).reciprocal();
-        let bound = motion.course.bound();
-        let flight = plan::Flight {
-            bandwidth: bound.bandwidth,
-            angular_rate: bound.angular_rate,
-            interval_s: interval_s.hi,
-            digits: plan::Digits::Double,
-            earth_fixed: true,
-        };
-        let order = plan::order(&flight, (W::HISTORY, W::BLOCK, W::LOOKAHEAD));
-        let strapdown = Strapdown::new(Pair::narrow(interval_s)).unwrap();
-        Self::new(&motion, strapdown.with_order(order))
+        Self::on::<Paper>()
     }
 
     #[inline(always)]
     fn run(&self) {
         self.fly();
+    }
+}
+
+/// A navigator with a window on a flight, every row read.
+pub struct Rows<C, F: Frame, W: Window> {
+    navigation: Taylor<F, W>,
+    flight: PhantomData<C>,
+}
+
+impl<C: Flight, F: Frame<Real: Scalar>, W: Window> Work for Rows<C, F, W> {
+    fn prepare() -> Self {
+        Self { navigation: Navigation::on::<C>(), flight: PhantomData }
+    }
+
+    #[inline(always)]
+    fn run(&self) {
+        self.navigation.fly_rows();
     }
 }
 
@@ -146,7 +185,7 @@ pub struct Emulation {
 
 impl Work for Emulation {
     fn prepare() -> Self {
-        let motion = Perfect::new();
+        let motion = Perfect::new::<Paper>();
         let perfect = (1..=SAMPLES).map(|n| motion.sample(n)).collect();
         Self { sensors: paper::sensors().unwrap(), perfect }
     }
@@ -183,6 +222,22 @@ pub type EarthFixedLine8 = Taylor<EarthFixed<Pair<f64>>, Line8>;
 pub type SingleH0B4A0 = Taylor<LocalLevel<Pair<f32>>, H0B4A0>;
 /// Four samples, local-level, `f32x2`.
 pub type TwoFloatH0B4A0 = Taylor<LocalLevel<TwoFloat<f32>>, H0B4A0>;
+/// Eight samples about the block, every row, local-level, `f64`.
+type LocalLevelRows<C> = Rows<C, LocalLevel<Pair<f64>>, H2B4A2>;
+/// Eight samples about the block, every row, Earth-fixed, `f64`.
+type EarthFixedRows<C> = Rows<C, EarthFixed<Pair<f64>>, H2B4A2>;
+/// On the paper's flight.
+pub type LocalLevelRowsPaper = LocalLevelRows<Paper>;
+/// On the paper's flight.
+pub type EarthFixedRowsPaper = EarthFixedRows<Paper>;
+/// On `hard`.
+pub type LocalLevelRowsHard = LocalLevelRows<Hard>;
+/// On `hard`.
+pub type EarthFixedRowsHard = EarthFixedRows<Hard>;
+/// On `manoeuvre`.
+pub type LocalLevelRowsManoeuvre = LocalLevelRows<Manoeuvre>;
+/// On `manoeuvre`.
+pub type EarthFixedRowsManoeuvre = EarthFixedRows<Manoeuvre>;
 
 /// Hands every piece of work, with the name that the baseline knows it by, to a macro.
 #[macro_export]
@@ -195,6 +250,12 @@ macro_rules! for_each_work {
             h0b4a0_earth_fixed_f64 = EarthFixedH0B4A0,
             h2b4a2_local_level_f64 = LocalLevelH2B4A2,
             h2b4a2_earth_fixed_f64 = EarthFixedH2B4A2,
+            h2b4a2_local_level_f64_rows_paper = LocalLevelRowsPaper,
+            h2b4a2_local_level_f64_rows_hard = LocalLevelRowsHard,
+            h2b4a2_local_level_f64_rows_manoeuvre = LocalLevelRowsManoeuvre,
+            h2b4a2_earth_fixed_f64_rows_paper = EarthFixedRowsPaper,
+            h2b4a2_earth_fixed_f64_rows_hard = EarthFixedRowsHard,
+            h2b4a2_earth_fixed_f64_rows_manoeuvre = EarthFixedRowsManoeuvre,
             line8_local_level_f64 = LocalLevelLine8,
             line8_earth_fixed_f64 = EarthFixedLine8,
             h0b4a0_local_level_f32 = SingleH0B4A0,

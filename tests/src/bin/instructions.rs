@@ -7,9 +7,12 @@ use std::io::Read;
 use std::process::{Command, ExitCode};
 
 const HEAD: &str =
-    "Instructions per sample on the paper's flight, block ends only, as Callgrind counts them
+    "Instructions per sample on the paper's flight, block ends only unless it says rows, as Callgrind counts them
 (Gungraun, tests/speed/benches/instructions.rs). CI compares within 2 %.
 To store what is measured now: tests/instructions.sh --store";
+
+/// What others are compared with.
+const UNIT: &str = "textbook_local_level_f64";
 
 fn main() -> ExitCode {
     match run() {
@@ -56,8 +59,10 @@ fn run() -> Result<ExitCode, String> {
             stored.rustc, measured.rustc
         );
     }
+    // Beside each count its ratio to the unit of the README's table.
+    let unit = measured.instructions_per_sample.get(UNIT).copied().unwrap_or(f64::NAN);
     for (name, count) in &measured.instructions_per_sample {
-        println!("{name:28} {count:8.1}");
+        println!("{name:38} {count:8.1} {:6.2}", count / unit);
     }
     if faults.is_empty() {
         return Ok(ExitCode::SUCCESS);

@@ -74,6 +74,24 @@ impl<F: TextbookFrame> Textbook<F> {
             frame: PhantomData,
         })
     }
+
+    /// Steps over a sample, if it can be right; the body's motion over it.
+    #[inline(always)]
+    fn step(
+        &self,
+        state: &mut TextbookState<F>,
+        sample: Increment<F::Real>,
+    ) -> Result<Compensated<F::Real>, Rejected> {
+        self.gate.admit(&sample)?;
+        if !state.frame.is_regular() {
+            return Err(Rejected::Pole);
+        }
+        let body = Compensated::of(&sample, &state.previous);
+        state.frame.step(self.interval, &body);
+        state.previous = sample;
+        state.integrated += 1;
+        Ok(body)
+    }
 }
 
 impl<F: TextbookFrame> Mechanization for Textbook<F> {
@@ -81,6 +99,7 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
     type Frame = F;
     type State = TextbookState<F>;
     type Output = F::Output;
+    type Body = Compensated<F::Real>;
 
     fn start(&self, initial: &Solution<F::Real>) -> Result<TextbookState<F>, StartError> {
         let initial = admit_start(initial)?;
@@ -99,15 +118,7 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         state: &mut TextbookState<F>,
         sample: Increment<F::Real>,
     ) -> Result<(), Rejected> {
-        self.gate.admit(&sample)?;
-        if !state.frame.is_regular() {
-            return Err(Rejected::Pole);
-        }
-        let body = Compensated::of(&sample, &state.previous);
-        state.frame.step(self.interval, &body);
-        state.previous = sample;
-        state.integrated += 1;
-        Ok(())
+        self.step(state, sample).map(|_| ())
     }
 
     #[inline(always)]
@@ -122,7 +133,27 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         Ok(())
     }
 
+    fn finish(&self, _: &mut TextbookState<F>) {}
+
     fn finish_rows(&self, _: &mut TextbookState<F>, _: impl FnMut(u64, F::Output)) {}
+
+    fn push_blocks(
+        &self,
+        state: &mut TextbookState<F>,
+        sample: Increment<F::Real>,
+        mut see: impl FnMut(u64, &Compensated<F::Real>, &F),
+    ) -> Result<(), Rejected> {
+        let body = self.step(state, sample)?;
+        see(state.integrated, &body, &state.frame);
+        Ok(())
+    }
+
+    fn finish_blocks(
+        &self,
+        _: &mut TextbookState<F>,
+        _: impl FnMut(u64, &Compensated<F::Real>, &F),
+    ) {
+    }
 
     fn hold_vertical(&self, state: &mut TextbookState<F>, altitude: F::Real, down: F::Real) {
         state.frame.hold_vertical(altitude, down);

@@ -7,6 +7,7 @@ use super::{
     Algorithm, Frame, Gap, InitialError, Link, Navigator, Precision, Scene, Vertical, WindowShape,
     limits,
 };
+use crate::flight::Nine;
 use crate::input::document::{Document, Section, Value};
 use crate::input::{Complaint, InputError, Range};
 use crate::units::ARCSECOND;
@@ -29,17 +30,6 @@ const NAVIGATOR: &[&str] = &["frame", "precision", "algorithm", "window", "verti
 const MOST_SAMPLES: u64 = 1000;
 const WINDOW: &[&str] = &["history", "block", "lookahead"];
 const LINK: &[&str] = &["loss", "jitter_s"];
-const INITIAL_ERROR: &[&str] = &[
-    "north_m",
-    "east_m",
-    "down_m",
-    "north_m_s",
-    "east_m_s",
-    "down_m_s",
-    "roll_arcsec",
-    "pitch_arcsec",
-    "yaw_arcsec",
-];
 
 /// A scene from its text; `file` names it in errors, and its stem is the scene's name.
 pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
@@ -65,20 +55,20 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
 }
 
 fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
-    let Some(section) = root.section("initial_error", INITIAL_ERROR)? else {
+    let Some(section) = root.section("initial_error", &Nine::NAMES)? else {
         return Ok(InitialError::default());
     };
-    let three = |keys: [&str; 3], range: Range, unit| -> Result<[f64; 3], InputError> {
-        let get = |key: &str| Ok(section.number_or(key, 0.0, &range)? * unit);
-        Ok([get(keys[0])?, get(keys[1])?, get(keys[2])?])
+    let three = |first: usize, range: Range, unit| -> Result<[f64; 3], InputError> {
+        let get = |key: usize| Ok(section.number_or(Nine::NAMES[key], 0.0, &range)? * unit);
+        Ok([get(first)?, get(first + 1)?, get(first + 2)?])
     };
     let metres = Range::from_to(-1e5, 1e5, "metres, from -1e5 to 1e5");
     let speed = Range::from_to(-1e4, 1e4, "m/s, from -1e4 to 1e4");
     let angle = Range::from_to(-648_000.0, 648_000.0, "arcsec, from -648000 to 648000");
     Ok(InitialError {
-        position_m: three(["north_m", "east_m", "down_m"], metres, 1.0)?,
-        velocity_m_s: three(["north_m_s", "east_m_s", "down_m_s"], speed, 1.0)?,
-        attitude_rad: three(["roll_arcsec", "pitch_arcsec", "yaw_arcsec"], angle, ARCSECOND)?,
+        position_m: three(0, metres, 1.0)?,
+        velocity_m_s: three(3, speed, 1.0)?,
+        attitude_rad: three(6, angle, ARCSECOND)?,
     })
 }
 

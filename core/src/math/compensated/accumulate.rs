@@ -1,0 +1,185 @@
+//! How state variables are summed up: plainly, with what rounding drops, or with two-float increments.
+
+use super::super::quaternion::Quaternion;
+use super::super::real::Real;
+use super::super::vector::Vector;
+use super::{Pair, two_sum};
+
+/// How a state variable is summed up: compensation is a type.
+pub trait Accumulate: Copy {
+    /// The scalar that it sums.
+    type Real: Real;
+    /// From a number and its remainder.
+    fn from_pair(x: Pair<Self::Real>) -> Self;
+    /// With what is known of the remainder.
+    fn pair(self) -> Pair<Self::Real>;
+    /// The leading part: what products read.
+    fn value(self) -> Self::Real;
+    /// The trailing part.
+    fn remainder(self) -> Self::Real;
+    /// Whether the products that matter are carried to twice the digits, too.
+    const TWO_FLOAT: bool = false;
+    /// Adds an increment.
+    fn add(&mut self, d: Self::Real);
+    /// Adds an increment with its own remainder, as far as this sum keeps one.
+    #[inline(always)]
+    fn add_pair(&mut self, d: Pair<Self::Real>) {
+        self.add(d.hi);
+    }
+}
+
+/// A sum without compensation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Plain<R>(pub R);
+
+impl<R: Real> Accumulate for Plain<R> {
+    type Real = R;
+    #[inline(always)]
+    fn from_pair(x: Pair<R>) -> Self {
+        Self(x.hi)
+    }
+    #[inline(always)]
+    fn pair(self) -> Pair<R> {
+        Pair::new(self.0)
+    }
+    #[inline(always)]
+    fn value(self) -> R {
+        self.0
+    }
+    #[inline(always)]
+    fn remainder(self) -> R {
+        R::ZERO
+    }
+    #[inline(always)]
+    fn add(&mut self, d: R) {
+        self.0 = self.0 + d;
+    }
+}
+
+impl<R: Real> Accumulate for Pair<R> {
+    type Real = R;
+    #[inline(always)]
+    fn from_pair(x: Pair<R>) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn pair(self) -> Pair<R> {
+        self
+    }
+    #[inline(always)]
+    fn value(self) -> R {
+        self.hi
+    }
+    #[inline(always)]
+    fn remainder(self) -> R {
+        self.lo
+    }
+    #[inline(always)]
+    fn add(&mut self, d: R) {
+        *self = Self::sum(self.hi, d + self.lo);
+    }
+}
+
+/// A compensated sum whose increments come with their own remainders: f32 that is good to millimetres.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TwoFloat<R>(pub Pair<R>);
+
+impl<R: Real> Accumulate for TwoFloat<R> {
+    type Real = R;
+    const TWO_FLOAT: bool = true;
+    #[inline(always)]
+    fn from_pair(x: Pair<R>) -> Self {
+        Self(x)
+    }
+    #[inline(always)]
+    fn pair(self) -> Pair<R> {
+        self.0
+    }
+    #[inline(always)]
+    fn value(self) -> R {
+        self.0.hi
+    }
+    #[inline(always)]
+    fn remainder(self) -> R {
+        self.0.lo
+    }
+    #[inline(always)]
+    fn add(&mut self, d: R) {
+        Accumulate::add(&mut self.0, d);
+    }
+    #[inline(always)]
+    fn add_pair(&mut self, d: Pair<R>) {
+        // (y, ε) = TwoSum(d, lo): a plain sum would lose half an ulp of d each time
+        let (y, rest) = two_sum(d.hi, self.0.lo);
+        let (hi, lo) = two_sum(self.0.hi, y);
+        self.0 = Pair { hi, lo: lo + (rest + d.lo) };
+    }
+}
+
+impl<S: Accumulate> Vector<S> {
+    /// Adds an increment.
+    #[inline(always)]
+    pub fn accumulate(&mut self, d: Vector<S::Real>) {
+        self.x.add(d.x);
+        self.y.add(d.y);
+        self.z.add(d.z);
+    }
+
+    /// Adds an increment with its remainder.
+    #[inline(always)]
+    pub fn accumulate_pair(&mut self, d: Vector<Pair<S::Real>>) {
+        self.x.add_pair(d.x);
+        self.y.add_pair(d.y);
+        self.z.add_pair(d.z);
+    }
+
+    /// What a product with a fraction of a pair owes to the remainders of both.
+    #[inline(always)]
+    pub fn low_product(&self, factor: Pair<S::Real>, fraction: S::Real) -> Vector<S::Real> {
+        let (hi, lo) = (factor.hi * fraction, factor.lo * fraction);
+        let low = |s: S| s.remainder() * hi + s.value() * lo;
+        Vector { x: low(self.x), y: low(self.y), z: low(self.z) }
+    }
+
+    /// With what is known of the remainders.
+    #[inline(always)]
+    pub fn pair(&self) -> Vector<Pair<S::Real>> {
+        Vector { x: self.x.pair(), y: self.y.pair(), z: self.z.pair() }
+    }
+
+    /// The leading parts.
+    #[inline(always)]
+    pub fn value(&self) -> Vector<S::Real> {
+        Vector::new(self.x.value(), self.y.value(), self.z.value())
+    }
+}
+
+impl<S: Accumulate> Quaternion<S> {
+    /// Adds an increment.
+    #[inline(always)]
+    pub fn accumulate(&mut self, d: Quaternion<S::Real>) {
+        self.w.add(d.w);
+        self.v.accumulate(d.v);
+    }
+
+    /// Adds an increment with its remainder.
+    #[inline(always)]
+    pub fn accumulate_pair(&mut self, d: Quaternion<Pair<S::Real>>) {
+        self.w.add_pair(d.w);
+        self.v.accumulate_pair(d.v);
+    }
+
+    /// With what is known of the remainders.
+    #[inline(always)]
+    pub fn pair(&self) -> Quaternion<Pair<S::Real>> {
+        Quaternion { w: self.w.pair(), v: self.v.pair() }
+    }
+
+    /// The leading parts.
+    #[inline(always)]
+    pub fn value(&self) -> Quaternion<S::Real> {
+        Quaternion::new(self.w.value(), self.v.value())
+    }
+}

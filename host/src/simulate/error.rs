@@ -1,0 +1,118 @@
+//! Why a run ends early.
+
+use crate::gap::Missing;
+use crate::input::{Complaint, InputError};
+use crate::navigator::Unavailable;
+use crate::source::{Source, SourceError};
+use schuler::strapdown::mechanization::Rejected;
+use std::fmt;
+
+/// Why a run ended early.
+#[derive(Debug)]
+pub enum FlightError {
+    /// The scene or an option asks for something that is not to be had.
+    Input(InputError),
+    /// The link lost a sample, and gaps are not bridged.
+    Lost {
+        /// Its number, from 1.
+        sample: u64,
+        /// Its end, s.
+        time_s: f64,
+    },
+    /// The navigator refused a sample.
+    Rejected {
+        /// Its number, from 1.
+        sample: u64,
+        /// Its end, s.
+        time_s: f64,
+        /// Why.
+        why: Rejected,
+    },
+    /// Checks that did not keep their bounds.
+    Failed {
+        /// How many.
+        failed: usize,
+        /// Of how many.
+        checks: usize,
+    },
+    /// A recording cannot be navigated beyond this place.
+    Stopped(InputError),
+}
+
+impl fmt::Display for FlightError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(error) | Self::Stopped(error) => error.fmt(f),
+            Self::Lost { sample, time_s } => write!(
+                f,
+                "sample {sample} at {time_s} s was lost on the link; \
+                 navigator.gap = \"bridge\" would fill it from its neighbours"
+            ),
+            Self::Failed { failed, checks } => write!(f, "{failed} of {checks} checks failed"),
+            Self::Rejected { sample, time_s, why } => {
+                write!(f, "sample {sample} at {time_s} s: {why}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for FlightError {}
+
+impl From<InputError> for FlightError {
+    fn from(error: InputError) -> Self {
+        Self::Input(error)
+    }
+}
+
+impl From<SourceError> for FlightError {
+    fn from(error: SourceError) -> Self {
+        let (key, what) = match error {
+            SourceError::Trajectory(error) => ("trajectory", error.to_string()),
+            SourceError::Sensor(error) => ("sensor", error.to_string()),
+        };
+        Self::Input(InputError::option(key, Complaint::new(what, "")))
+    }
+}
+
+impl From<Unavailable> for FlightError {
+    fn from(error: Unavailable) -> Self {
+        let key = match error {
+            Unavailable::Window(_) => "window",
+            Unavailable::TwoFloat => "precision",
+            Unavailable::Start(_) => "navigator",
+        };
+        Self::Input(InputError::option(key, Complaint::new(error.to_string(), "")))
+    }
+}
+
+/// A sample refused by the bridge or by the navigator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refused {
+    /// It is missing, and gaps are not bridged.
+    Missing,
+    /// It cannot be right, or leads where the navigator cannot go.
+    Rejected(Rejected),
+}
+
+impl From<Missing> for Refused {
+    fn from(_: Missing) -> Self {
+        Self::Missing
+    }
+}
+
+impl From<Rejected> for Refused {
+    fn from(why: Rejected) -> Self {
+        Self::Rejected(why)
+    }
+}
+
+impl Refused {
+    /// The error that ends a run at a sample.
+    pub fn at(self, sample: u64, source: &Source) -> FlightError {
+        let time_s = source.time_s(sample);
+        match self {
+            Self::Missing => FlightError::Lost { sample, time_s },
+            Self::Rejected(why) => FlightError::Rejected { sample, time_s, why },
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 #![no_std]
 
+pub mod application;
 pub mod board;
 pub mod navigation;
 pub mod paper;

@@ -1,11 +1,14 @@
 //! Cortex-M: the counter that every core has, or the cycle counter of the larger ones.
 
 use ::cortex_m::Peripherals;
+use ::cortex_m::interrupt::InterruptNumber;
 #[cfg(feature = "dwt")]
 use ::cortex_m::peripheral::DWT;
 #[cfg(not(feature = "dwt"))]
 use ::cortex_m::peripheral::{SYST, syst::SystClkSource};
+use ::cortex_m::peripheral::NVIC;
 pub use cortex_m_rt::entry;
+use cortex_m_rt::exception;
 
 #[cfg(all(feature = "dwt", feature = "microbit"))]
 compile_error!("a Cortex-M0 has no cycle counter in its DWT");
@@ -81,3 +84,30 @@ impl Counter {
 
 /// The largest count: SysTick has 24 bits.
 const MOST: u32 = if cfg!(feature = "dwt") { u32::MAX } else { 0x00ff_ffff };
+
+/// Waits for an interrupt, which need not be let through.
+pub fn sleep() {
+    ::cortex_m::asm::wfi();
+}
+
+#[derive(Clone, Copy)]
+struct Interrupt(u16);
+
+// SAFETY: the numbers are those of the board's UART.
+unsafe impl InterruptNumber for Interrupt {
+    fn number(self) -> u16 {
+        self.0
+    }
+}
+
+/// Lets an interrupt through.
+pub(super) fn unmask(interrupt: u16) {
+    // SAFETY: nothing here relies on interrupts being off but critical sections.
+    unsafe { NVIC::unmask(Interrupt(interrupt)) }
+}
+
+/// Every interrupt: only the UART's are let through.
+#[exception]
+unsafe fn DefaultHandler(_: i16) {
+    super::uart::receive();
+}

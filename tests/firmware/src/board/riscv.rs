@@ -20,7 +20,7 @@ impl Counter {
     /// The count now.
     #[inline(always)]
     pub fn now(&self) -> u32 {
-        riscv::register::minstret::read() as u32
+        ::riscv::register::minstret::read() as u32
     }
 
     /// How much was counted between two readings, less than a turn apart.
@@ -33,4 +33,23 @@ impl Counter {
     pub fn worth(&self, counts: u64) -> f64 {
         counts as f64
     }
+}
+
+/// Waits for an interrupt, which need not be let through.
+pub fn sleep() {
+    ::riscv::asm::wfi();
+}
+
+/// Lets interrupts through.
+pub(super) fn unmask() {
+    // SAFETY: nothing here relies on interrupts being off but critical sections.
+    unsafe {
+        ::riscv::register::mie::set_mext();
+        ::riscv::interrupt::enable();
+    }
+}
+
+#[riscv_rt::core_interrupt(::riscv::interrupt::Interrupt::MachineExternal)]
+fn external() {
+    super::line::served(super::uart::receive);
 }

@@ -74,7 +74,8 @@ impl Image {
         let elf = self.elf()?;
         let is_named = |symbol: &str| symbol.contains(&format!("{}{name}", name.len()));
         let found = elf.symbols().find(|s| s.size() == 4 && s.name().is_ok_and(is_named));
-        let address = found.ok_or_else(|| self.complain(&format!("no word {name} in it")))?.address();
+        let address =
+            found.ok_or_else(|| self.complain(&format!("no word {name} in it")))?.address();
         let place = elf.sections().find_map(|section| {
             let (start, size) = section.file_range()?;
             let offset = address.checked_sub(section.address()).filter(|&o| o + 4 <= size)?;

@@ -1,13 +1,15 @@
 //! Flies the firmware's images in QEMU; `tests/firmware.sh` calls it.
 
 use schuler_qemu::image::Image;
-use schuler_qemu::{machine, qemu};
+use schuler_qemu::{check, machine, qemu};
 use std::path::Path;
 use std::process::ExitCode;
 
 const USAGE: &str = "usage:
   schuler-qemu builds                                 every target with its board
-  schuler-qemu run MACHINE IMAGE [--set NAME=VALUE]…  flies an image and prints what it reports";
+  schuler-qemu run MACHINE IMAGE [--set NAME=VALUE]…  flies an image and prints what it reports
+  schuler-qemu check [--store] IMAGES SCHULER BUDGET  every image on every machine, against the
+                                                      program and the stored table";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -18,6 +20,12 @@ fn main() -> ExitCode {
                 println!("{target} {board}");
             }
             Ok(true)
+        }
+        ["check", images, schuler, budget] => {
+            check::run(&check::places(images, schuler, budget), false)
+        }
+        ["check", "--store", images, schuler, budget] => {
+            check::run(&check::places(images, schuler, budget), true)
         }
         ["run", machine, image, ref options @ ..] => run(machine, image, options),
         _ => Err(USAGE.to_owned()),

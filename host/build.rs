@@ -1,8 +1,9 @@
-//! Tells the report which libm the core was built with: its version from the lock file.
+//! Tells reports which libm the core was built with, its version from the lock file, and which compiler.
 
 use std::env;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 fn main() {
     let home = env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it");
@@ -15,4 +16,9 @@ fn main() {
         Some(after.split('"').nth(1)?.to_owned())
     });
     println!("cargo::rustc-env=SCHULER_LIBM_VERSION={}", version.as_deref().unwrap_or("unknown"));
+    let compiler = env::var_os("RUSTC")
+        .and_then(|rustc| Command::new(rustc).arg("--version").output().ok())
+        .and_then(|output| String::from_utf8(output.stdout).ok());
+    let compiler = compiler.as_deref().unwrap_or("rustc unknown").trim();
+    println!("cargo::rustc-env=SCHULER_COMPILER={compiler}");
 }

@@ -49,6 +49,15 @@ impl Digest {
     }
 }
 
+impl Record for Digest {
+    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
+        for lane in &mut self.lanes {
+            lane.record(name, visit);
+        }
+        self.words.record(name, visit);
+    }
+}
+
 /// A digest with a checkpoint at every so many samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

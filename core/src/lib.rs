@@ -10,6 +10,7 @@ pub mod digest;
 pub mod drift;
 pub mod earth;
 pub mod imu;
+pub mod link;
 pub mod math;
 pub mod noise;
 pub mod record;

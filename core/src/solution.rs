@@ -7,6 +7,7 @@ use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;
 use crate::math::real::{Number, Real, Scalar};
 use crate::math::vector::Vector;
+use crate::record::{Record, record};
 
 /// Attitude as three angles: C_nᵇ = Rx(roll)·Ry(pitch)·Rz(yaw), rad.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -185,4 +186,12 @@ impl<R: Scalar> EarthFixedSolution<R> {
             attitude: self.attitude.map(Pair::widen_pair),
         }
     }
+}
+
+impl<R: Record> Record for Solution<R> {
+    record!(position, velocity_ned, attitude);
+}
+
+impl<R: Record> Record for EarthFixedSolution<R> {
+    record!(position_e, velocity_e, attitude);
 }

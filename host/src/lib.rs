@@ -1,12 +1,13 @@
 //! Flies scenes through the `schuler` core: truth, sensors, navigation, drift against theory.
 
+pub mod audit;
 pub mod cli;
 pub mod emulate;
 pub mod emulator;
 pub mod ensemble;
 pub mod flight;
 pub mod frontier;
-pub mod gap;
+pub mod hil;
 pub mod input;
 pub mod lanes;
 pub mod navigator;

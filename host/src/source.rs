@@ -141,11 +141,16 @@ pub struct Samples<'a> {
 impl Samples<'_> {
     /// The next sample; `None` if the link lost it.
     pub fn advance(&mut self) -> Option<Increment<f64>> {
+        self.advance_seen().1
+    }
+
+    /// The next sample as it would be without error, and as it arrives.
+    pub fn advance_seen(&mut self) -> (Increment<f64>, Option<Increment<f64>>) {
         let from_s = self.end_s;
         self.step();
         let perfect = self.source.perfect(from_s, self.end_s);
         let increment = self.sense(&perfect);
-        self.arrives().then_some(increment)
+        (perfect, self.arrives().then_some(increment))
     }
 
     /// What the sensors make of the next sample's perfect increment, which runs may share: a link

@@ -34,6 +34,8 @@ pub trait Mechanization {
         sample: Increment<Self::Real>,
         read: impl FnMut(u64, Self::Output),
     ) -> Result<(), Rejected>;
+    /// Integrates what waits for samples; no row is read.
+    fn finish(&self, state: &mut Self::State);
     /// Completes the rows that wait for samples, and reads them.
     fn finish_rows(&self, state: &mut Self::State, read: impl FnMut(u64, Self::Output));
     /// Takes a sample and shows every step that it completes: the number of samples at its end, the
@@ -192,8 +194,8 @@ impl<R: Real> Gate<R> {
 /// Whether the processor computes with subnormal numbers, as IEEE 754 has it.
 #[inline(never)]
 pub fn subnormals_survive<R: Real>() -> bool {
-    // Somewhat above the smallest normal number: half of it, and twice that again.
-    let normal = black_box(R::entry(1.5e-38, 3e-308));
+    // Half of the smallest normal number, and twice that again: both exact.
+    let normal = black_box(R::entry(f32::MIN_POSITIVE, f64::MIN_POSITIVE));
     let subnormal = black_box(normal * R::HALF);
     let back = subnormal + subnormal;
     !R::any(back.less(normal)) & !R::any(normal.less(back))

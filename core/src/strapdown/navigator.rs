@@ -263,6 +263,9 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
     ) -> Result<(), Rejected> {
         Strapdown::push_rows(self, state, sample, read)
     }
+    fn finish(&self, state: &mut State<F, W>) {
+        Strapdown::finish(self, state);
+    }
     fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
         Strapdown::finish_rows(self, state, read);
     }

@@ -1,16 +1,13 @@
 //! `report.html`: the run on one page that needs nothing else, not even a network.
 
-use super::canvas::Ink;
 use super::number::{Quantity, parameter, printed};
+use super::page::{self, panel};
 use super::svg::escape;
-use super::{figures, heading, norm, parameters, table};
+use super::{figures, heading, link_table, norm, parameters, table};
 use crate::flight::Flight;
 use crate::input::InputError;
 use crate::output;
 use std::path::Path;
-
-const STYLE: &str = include_str!("page.css");
-const SCRIPT: &str = include_str!("page.js");
 
 /// The page.
 pub fn page(flight: &Flight) -> String {
@@ -20,44 +17,23 @@ pub fn page(flight: &Flight) -> String {
         motion(flight),
         first_minute(flight),
         numbers(flight),
+        link(flight),
         skipped(flight),
         scene(flight),
         provenance(flight),
     ];
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title}: drift against theory</title>\n<style>\n{}{STYLE}</style>\n</head>\n\
-         <body>\n<main>\n<h1>{title}</h1>\n<p class=\"quiet\">{}</p>\n{}{}</main>\n\
-         <script>\n{SCRIPT}</script>\n</body>\n</html>\n",
-        colours(),
+    let body = format!(
+        "<h1>{title}</h1>\n<p class=\"quiet\">{}</p>\n{}{}",
         escape(&heading(flight)),
         headline(flight),
         sections.concat()
-    )
+    );
+    page::page(&format!("{title}: drift against theory"), &body)
 }
 
 /// Writes `report.html` into a directory.
 pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
     output::write(directory.join("report.html"), page(flight))
-}
-
-/// The palette for light and dark, and a class per ink.
-fn colours() -> String {
-    let palette = |sheet: &str, colour: fn(Ink) -> [u8; 3]| -> String {
-        let variable = |ink: Ink| {
-            let [r, g, b] = colour(ink);
-            format!(" --{}: #{r:02x}{g:02x}{b:02x};", ink.name())
-        };
-        format!(":root {{ --sheet: {sheet};{} }}", Ink::ALL.map(variable).concat())
-    };
-    let class = |ink: Ink| format!(".i-{0} {{ color: var(--{0}); }}\n", ink.name());
-    format!(
-        ":root {{ color-scheme: light dark; }}\n{}\n@media (prefers-color-scheme: dark) {{ {} }}\n{}",
-        palette("#f5f6f8", Ink::light),
-        palette("#121418", Ink::dark),
-        Ink::ALL.map(class).concat()
-    )
 }
 
 fn headline(flight: &Flight) -> String {
@@ -136,15 +112,17 @@ fn numbers(flight: &Flight) -> String {
     )
 }
 
-fn panel(heads: &[&str], rows: &[Vec<String>]) -> String {
-    let heads: String = heads.iter().map(|head| format!("<th>{head}</th>")).collect();
-    let head = if heads.is_empty() { heads } else { format!("<tr>{heads}</tr>\n") };
-    let row = |row: &Vec<String>| {
-        let cells = row.iter().map(|cell| format!("<td>{}</td>", escape(cell)));
-        format!("<tr>{}</tr>\n", cells.collect::<String>())
+fn link(flight: &Flight) -> String {
+    let Some(link) = &flight.link else { return String::new() };
+    let faults = match link_table::faults(link) {
+        faults if faults.is_empty() => String::new(),
+        faults => panel(&["put in", "out", "back"], &faults),
     };
-    let rows: String = rows.iter().map(row).collect();
-    format!("<div class=\"panel\"><table>\n{head}{rows}</table></div>\n")
+    format!(
+        "<h2>The link to the target</h2>\n<p>{}</p>\n<div class=\"panels\">\n{}{faults}</div>\n",
+        escape(&link_table::sentence(link)),
+        panel(&link_table::TRACES, &link_table::traces(link))
+    )
 }
 
 fn skipped(flight: &Flight) -> String {

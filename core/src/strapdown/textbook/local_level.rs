@@ -44,11 +44,12 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
 
     fn start(initial: &Solution<R>) -> Self {
         let position = initial.position.map(|c| c.hi);
-        let (sine, cosine) = position.latitude.sin_cos();
+        // As a pair: libm's functions of single precision compute in double.
+        let (sine, cosine) = Pair::new(position.latitude).sin_cos();
         Self {
             position,
-            sine,
-            cosine,
+            sine: sine.hi,
+            cosine: cosine.hi,
             velocity: initial.velocity_ned.map(|c| c.hi),
             attitude: initial.attitude.map(|c| c.hi),
             velocity_change: Vector::ZERO,

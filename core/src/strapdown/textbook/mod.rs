@@ -133,6 +133,8 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         Ok(())
     }
 
+    fn finish(&self, _: &mut TextbookState<F>) {}
+
     fn finish_rows(&self, _: &mut TextbookState<F>, _: impl FnMut(u64, F::Output)) {}
 
     fn push_blocks(

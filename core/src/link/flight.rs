@@ -1,0 +1,237 @@
+//! One mechanization in flight at the end of a link: bridging, navigation, digest.
+//!
+//! Target and host fly the same code, so that the same samples leave the same bits.
+
+use super::configuration::Linked;
+use super::frame::Writer;
+use super::gap::{Bridge, Policy};
+use super::message::Start;
+use super::refusal::Refusal;
+use crate::digest::Digest;
+use crate::math::compensated::Pair;
+use crate::record::Record;
+use crate::sample::Increment;
+use crate::solution::Solution;
+use crate::strapdown::mechanization::Rejected;
+
+/// Samples that are bridged at once, at most: as far as the record of what came reaches back.
+pub const MOST_BRIDGED: u32 = 31;
+
+/// A mechanization with its state and what the link needs beside it.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Flight<M: Linked> {
+    mechanization: M,
+    initial: Solution<M::Real>,
+    state: M::State,
+    digest: Digest,
+    bridge: Bridge<M::Real>,
+    /// Number of the last sample, and of the last 32 a bit each: whether it came.
+    taken: u32,
+    came: u32,
+    /// 1 after the end of the stream.
+    finished: u32,
+}
+
+/// What became of a sample that was not refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Taken {
+    /// It was flown.
+    Flown,
+    /// It had been taken before.
+    Again,
+}
+
+impl<M: Linked> Flight<M> {
+    /// As a host asks for it.
+    pub fn start(start: &Start) -> Result<Self, Refusal> {
+        let mut bytes = start.initial;
+        let interval_s: Pair<M::Real> = bytes.pair().ok_or(Refusal::Malformed)?;
+        let mut initial = Solution::default();
+        let mut complete = true;
+        initial.record("", &mut |_, _| {
+            let bits = bytes.bits::<M::Real>();
+            complete &= bits.is_some();
+            bits.unwrap_or(0)
+        });
+        if !complete || bytes.end().is_none() {
+            return Err(Refusal::Malformed);
+        }
+        Self::new(M::configured(interval_s, start.order.into())?, initial, start.gap)
+    }
+
+    /// From an initial solution.
+    pub fn new(mechanization: M, initial: Solution<M::Real>, gap: Policy) -> Result<Self, Refusal> {
+        let state = mechanization.start(&initial)?;
+        let (digest, bridge) = (Digest::default(), Bridge::new(gap));
+        Ok(Self { mechanization, initial, state, digest, bridge, taken: 0, came: 0, finished: 0 })
+    }
+
+    /// Takes the sample of a number, from 1; `push` is [`Mechanization::push`] or one that reads rows.
+    /// Refused, it leaves everything as it was.
+    ///
+    /// [`Mechanization::push`]: crate::strapdown::mechanization::Mechanization::push
+    #[inline]
+    pub fn take(
+        &mut self,
+        number: u32,
+        sample: Increment<M::Real>,
+        push: impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), Rejected>,
+    ) -> Result<Taken, Refusal> {
+        if number <= self.taken {
+            return Ok(Taken::Again);
+        }
+        if self.finished != 0 {
+            return Err(Refusal::Finished);
+        }
+        let missing = self.missing_before(number)?;
+        let before = (self.state, self.digest, self.bridge);
+        let flown = self.fly(missing, Some(sample), push);
+        if flown.is_err() {
+            (self.state, self.digest, self.bridge) = before;
+            return flown.map(|()| Taken::Flown);
+        }
+        self.count(missing);
+        self.taken = number;
+        self.came = self.came << 1 | 1;
+        Ok(Taken::Flown)
+    }
+
+    /// The stream is at its end, after so many samples: those that never came are filled with the last,
+    /// and what waits for look-ahead is flown.
+    pub fn finish(
+        &mut self,
+        samples: u32,
+        push: impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), Rejected>,
+        finish: impl FnOnce(&M, &mut M::State),
+    ) -> Result<Taken, Refusal> {
+        if self.finished != 0 {
+            return Ok(Taken::Again);
+        }
+        let missing = self.missing_before(samples.saturating_add(1))?;
+        let before = (self.state, self.digest, self.bridge);
+        let flown = self.fly(missing, None, push);
+        if flown.is_err() {
+            (self.state, self.digest, self.bridge) = before;
+            return flown.map(|()| Taken::Flown);
+        }
+        self.count(missing);
+        finish(&self.mechanization, &mut self.state);
+        self.digest.add(M::frame(&self.state));
+        self.finished = 1;
+        Ok(Taken::Flown)
+    }
+
+    /// How many samples are missing before one.
+    fn missing_before(&self, number: u32) -> Result<u32, Refusal> {
+        let missing = number.saturating_sub(self.taken).saturating_sub(1);
+        if missing > MOST_BRIDGED { Err(Refusal::Gap) } else { Ok(missing) }
+    }
+
+    /// Samples that were missing are numbered as if they had been there.
+    fn count(&mut self, missing: u32) {
+        self.taken = self.taken.saturating_add(missing);
+        self.came = self.came.unbounded_shl(missing);
+    }
+
+    /// Flies a sample after those that are missing before it; none ends the stream.
+    #[inline]
+    fn fly(
+        &mut self,
+        missing: u32,
+        sample: Option<Increment<M::Real>>,
+        mut push: impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), Rejected>,
+    ) -> Result<(), Refusal> {
+        let Self { mechanization, state, digest, bridge, .. } = self;
+        let mut pass = |sample: &Increment<M::Real>| -> Result<(), Refusal> {
+            let before = M::integrated(state);
+            push(mechanization, state, *sample)?;
+            if M::integrated(state) != before {
+                digest.add(M::frame(state));
+            }
+            Ok(())
+        };
+        for _ in 0..missing {
+            bridge.take(None, &mut pass)?;
+        }
+        match sample {
+            Some(_) => bridge.take(sample, &mut pass),
+            None => bridge.finish(&mut pass),
+        }
+    }
+
+    /// Sets height (m) and vertical velocity (down, m/s).
+    pub fn hold(&mut self, altitude: M::Real, down: M::Real) {
+        self.mechanization.hold_vertical(&mut self.state, altitude, down);
+    }
+
+    /// The mechanization.
+    pub fn mechanization(&self) -> &M {
+        &self.mechanization
+    }
+
+    /// The solution that it started from.
+    pub fn initial(&self) -> &Solution<M::Real> {
+        &self.initial
+    }
+
+    /// Its state.
+    pub fn state(&self) -> &M::State {
+        &self.state
+    }
+
+    /// Number of the last sample taken, or filled in.
+    pub fn taken(&self) -> u32 {
+        self.taken
+    }
+
+    /// Of the last 32 samples a bit each, the newest lowest: whether it came.
+    pub fn came(&self) -> u32 {
+        self.came
+    }
+
+    /// Samples filled in.
+    pub fn bridged(&self) -> u32 {
+        self.bridge.lost()
+    }
+
+    /// Samples that lie behind the solution.
+    pub fn integrated(&self) -> u64 {
+        M::integrated(&self.state)
+    }
+
+    /// Digest of every state so far.
+    pub fn digest(&self) -> u64 {
+        self.digest.value()
+    }
+
+    /// Navigation at the end of the last block.
+    pub fn output(&self) -> M::Output {
+        self.mechanization.output(&self.state)
+    }
+
+    /// Writes where it stands, as [`Standing`](super::message::Standing).
+    pub fn write(&self, to: &mut Writer) {
+        to.u32(self.taken);
+        to.u32(self.came);
+        to.u64(self.integrated());
+        to.u64(self.digest());
+        self.output().record("", &mut |_, bits| {
+            to.bits::<M::Real>(bits);
+            bits
+        });
+    }
+}
+
+/// All that goes on from sample to sample; the configuration and the policy are not part of it.
+impl<M: Linked> Record for Flight<M> {
+    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
+        self.state.record(name, visit);
+        self.digest.record("digest", visit);
+        self.bridge.record("bridge", visit);
+        self.taken.record("taken", visit);
+        self.came.record("came", visit);
+        self.finished.record("finished", visit);
+    }
+}

@@ -1,0 +1,18 @@
+//! The link between a host and a target that navigates: frames, messages, and the target's application.
+//!
+//! Bytes → [`decoder`] → [`frame`] → [`message`] → [`target`], which owns a [`flight`] of one of the
+//! mechanizations of its [`fleet`]. Every frame that reaches a target whole is answered by one frame.
+//! Everything is little-endian, and numbers cross as their bits.
+
+pub mod bytes;
+pub mod configuration;
+pub mod counters;
+pub mod decoder;
+pub mod fleet;
+pub mod flight;
+pub mod frame;
+pub mod gap;
+pub mod message;
+pub mod refusal;
+pub mod sequence;
+pub mod target;

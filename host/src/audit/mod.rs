@@ -1,0 +1,180 @@
+//! `schuler audit`: digests of flights, and where two of them first part.
+//!
+//! | file | what |
+//! |---|---|
+//! | `configuration` | the navigators that are flown |
+//! | `record` | a scene's stages into chains |
+//! | `chain` | the files: format, reading, writing |
+//! | `golden` | folders of chains, flown again |
+//! | `compare` | where two chains part |
+//! | `matrix` | the audit program on every target |
+//! | `sensitivity` | what one unit in the last place does |
+//! | `show` | all that as tables |
+//! | `page` | and as HTML and JSON |
+
+pub mod chain;
+pub mod compare;
+pub mod configuration;
+pub mod golden;
+pub mod matrix;
+mod page;
+mod provenance;
+pub mod record;
+pub mod sensitivity;
+mod show;
+
+use crate::cli::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+use crate::input::{Complaint, InputError};
+use crate::output::{self, say};
+use crate::scene::{self, builtin};
+use crate::simulate::FlightError;
+use chain::Chain;
+use configuration::{ALL, Configuration};
+use std::path::Path;
+
+/// Does what is asked for.
+pub fn audit(command: &AuditCommand) -> Result<(), FlightError> {
+    match command {
+        AuditCommand::Record(args) => record(args),
+        AuditCommand::Verify(args) => verify(args),
+        AuditCommand::Compare(args) => compare(args),
+        AuditCommand::Sensitivity(args) => sensitivity(args),
+        AuditCommand::Matrix(args) => matrix(args),
+    }
+}
+
+fn record(args: &RecordArgs) -> Result<(), FlightError> {
+    let chosen = chosen(&args.configuration)?;
+    let provenance = provenance::line();
+    for name in &args.scene {
+        let mut scene = scene::load(name)?;
+        args.flight.apply(&mut scene)?;
+        let cadence = record::Cadence {
+            checkpoint: args.checkpoint,
+            rows: args.rows.unwrap_or_else(|| scene.samples()),
+        };
+        let chains = record::record(&scene, &chosen, cadence, &provenance)?;
+        if builtin::scene(&scene.name).is_none() || Path::new(name).exists() {
+            keep_scene(name, &args.out.join(format!("{}.toml", scene.name)))?;
+        }
+        for (stem, chain) in &chains {
+            output::write(golden::path(&args.out, &scene.name, stem), chain.text())?;
+        }
+        say(&show::recorded(&scene.name, &chains).text())?;
+    }
+    say(&format!("written to {}\n", args.out.display()))?;
+    Ok(())
+}
+
+/// A chain of a scene that is not built in needs the scene beside it, to be flown again.
+fn keep_scene(from: &str, to: &Path) -> Result<(), InputError> {
+    if Path::new(from).canonicalize().ok() == to.canonicalize().ok() && to.exists() {
+        return Ok(());
+    }
+    output::write(to, crate::input::read_text(from)?)
+}
+
+fn chosen(names: &[String]) -> Result<Vec<Configuration>, InputError> {
+    if names.is_empty() {
+        return Ok(ALL.to_vec());
+    }
+    let find = |name: &String| {
+        let known = |c: &&Configuration| c.stem() == *name || c.title() == *name;
+        ALL.iter().find(known).copied().ok_or_else(|| {
+            let names: Vec<_> = ALL.iter().map(Configuration::stem).collect();
+            let complaint = Complaint::new(format!("there is no {name}"), names.join(", "));
+            InputError::option("--configuration", complaint)
+        })
+    };
+    names.iter().map(find).collect()
+}
+
+fn verify(args: &VerifyArgs) -> Result<(), FlightError> {
+    let verdicts = golden::verify(&args.folder, &mut |verdict| say(&show::verdict(verdict)))?;
+    let failed = verdicts.iter().filter(|verdict| verdict.parting.is_some()).count();
+    say(&format!("{} chains, {failed} of them part\n", verdicts.len()))?;
+    if let Some(folder) = &args.out {
+        page::write(folder, "Golden chains", &show::verdicts(&verdicts), &verdicts)?;
+    }
+    if failed > 0 {
+        return Err(FlightError::Failed { failed, checks: verdicts.len() });
+    }
+    Ok(())
+}
+
+fn compare(args: &CompareArgs) -> Result<(), FlightError> {
+    let (a, b) = (&args.a, &args.b);
+    let pairs = if a.is_dir() && b.is_dir() {
+        let (of_a, of_b) = (golden::list(a)?, golden::list(b)?);
+        for (has, lacks, folder) in [(&of_a, &of_b, b), (&of_b, &of_a, a)] {
+            if let Some((name, _)) = has.iter().find(|x| !lacks.iter().any(|y| x.0 == y.0)) {
+                let complaint = Complaint::new(format!("lacks the chain {name}"), "");
+                return Err(InputError::file(&folder.display().to_string(), complaint).into());
+            }
+        }
+        let both = of_a.into_iter().zip(of_b);
+        both.map(|((name, a), (_, b))| (name, a, b)).collect()
+    } else {
+        let name = a.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        vec![(name, a.clone(), b.clone())]
+    };
+    let mut found = Vec::new();
+    for (name, a, b) in &pairs {
+        let (a, b) = (a.display().to_string(), b.display().to_string());
+        let (one, other) = (Chain::read(&a)?, Chain::read(&b)?);
+        let (held, parting) = compare::compare(&one, &other, &b)?;
+        let compared = show::Compared { chain: name.clone(), held, parting };
+        say(&show::compared(&compared, one.get("rate_hz")))?;
+        found.push(compared);
+    }
+    let parted = found.iter().filter(|compared| compared.parting.is_some()).count();
+    if found.len() > 1 {
+        say(&show::first(&found))?;
+    }
+    if let Some(folder) = &args.out {
+        page::write(folder, "Where chains part", &show::partings(&found), &found)?;
+    }
+    if parted > 0 {
+        return Err(FlightError::Failed { failed: parted, checks: found.len() });
+    }
+    Ok(())
+}
+
+fn sensitivity(args: &SensitivityArgs) -> Result<(), FlightError> {
+    let scene = args.scene()?;
+    let end_s = scene.samples() as f64 / scene.rate_hz;
+    let mut times_s = args.after.clone();
+    if times_s.is_empty() {
+        times_s.extend([1.0, 10.0, 100.0, 1000.0].into_iter().filter(|&t| t < end_s));
+        times_s.push(end_s);
+    }
+    if let Some(late) = times_s.iter().find(|&&t| t > end_s || t * scene.rate_hz < 1.0) {
+        let accepted = format!("seconds, from {} to {end_s}", 1.0 / scene.rate_hz);
+        let what = format!("the flight has no sample at {late} s");
+        return Err(InputError::option("--after", Complaint::new(what, accepted)).into());
+    }
+    times_s.sort_by(f64::total_cmp);
+    times_s.dedup();
+    let effects = sensitivity::sensitivity(&scene, &times_s)?;
+    let tables = show::sensitivity(&scene, &effects);
+    say(&tables.iter().map(page::Table::text).collect::<String>())?;
+    if let Some(folder) = &args.out {
+        let title = format!("One unit in the last place: {}", scene.name);
+        page::write(folder, &title, &tables, &effects)?;
+    }
+    Ok(())
+}
+
+fn matrix(args: &MatrixArgs) -> Result<(), FlightError> {
+    // Nobody listening any more shows when the table is printed.
+    let matrix = matrix::matrix(args, &|row| drop(say(&matrix::ended(row))))?;
+    let tables = matrix::tables(&matrix);
+    say(&tables.iter().map(page::Table::text).collect::<String>())?;
+    if let Some(folder) = &args.out {
+        page::write(folder, "The same bits on every target", &tables, &matrix)?;
+    }
+    match matrix.failed(args.require_all) {
+        0 => Ok(()),
+        failed => Err(FlightError::Failed { failed, checks: matrix.rows.len() }),
+    }
+}

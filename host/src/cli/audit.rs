@@ -1,0 +1,123 @@
+//! The commands of `schuler audit`.
+
+use super::{FlightOptions, NavigatorOptions, load, options};
+use crate::input::InputError;
+use crate::scene::Scene;
+use clap::{Args, Subcommand};
+use std::path::PathBuf;
+
+/// What can be audited.
+#[derive(Clone, Debug, PartialEq, Subcommand)]
+pub enum AuditCommand {
+    /// Record scenes into chains: every stage, every kind of navigator
+    Record(RecordArgs),
+    /// Fly recorded chains again: the same bits?
+    Verify(VerifyArgs),
+    /// Where do two chains, or folders of them, first part?
+    Compare(CompareArgs),
+    /// What does one unit in the last place of each input do to the outputs?
+    Sensitivity(SensitivityArgs),
+    /// Build and run the audit program on every target of this machine: the same bits?
+    Matrix(MatrixArgs),
+}
+
+/// Options of `audit record`.
+#[derive(Args, Clone, Debug, PartialEq)]
+#[command(
+    after_help = "Example:\n  schuler audit record paper hard --duration 60 --out out/chains"
+)]
+pub struct RecordArgs {
+    /// Built-in scenes (`schuler scenes` lists them) or paths of TOML files
+    #[arg(required = true)]
+    pub scene: Vec<String>,
+    /// Folder for the chains: a folder for each scene
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Only these navigators, as their files are named; may be repeated [default: all]
+    #[arg(long, value_name = "NAME")]
+    pub configuration: Vec<String>,
+    /// Samples from checkpoint to checkpoint
+    #[arg(long, value_name = "K", default_value = "64", value_parser = clap::value_parser!(u64).range(1..))]
+    pub checkpoint: u64,
+    /// Keep every row up to this sample, later only those at checkpoints [default: every row]
+    #[arg(long, value_name = "N")]
+    pub rows: Option<u64>,
+    /// What replaces the scenes' own values.
+    #[command(flatten)]
+    pub flight: FlightOptions,
+}
+
+/// Options of `audit verify`.
+#[derive(Args, Clone, Debug, PartialEq)]
+#[command(after_help = "Example:\n  schuler audit verify tests/golden")]
+pub struct VerifyArgs {
+    /// A folder that `audit record` wrote
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// Folder for audit.json and audit.html
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// Options of `audit compare`.
+#[derive(Args, Clone, Debug, PartialEq)]
+#[command(after_help = "Example:\n  schuler audit compare tests/golden/paper mine/paper")]
+pub struct CompareArgs {
+    /// A chain, or a folder of chains
+    pub a: PathBuf,
+    /// Another
+    pub b: PathBuf,
+    /// Folder for audit.json and audit.html
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// Options of `audit sensitivity`.
+#[derive(Args, Clone, Debug, PartialEq)]
+#[command(after_help = "Example:\n  schuler audit sensitivity hard --precision f32 --after 60")]
+pub struct SensitivityArgs {
+    /// A built-in scene or the path of a TOML file, flown with perfect sensors [default: paper]
+    pub scene: Option<String>,
+    /// Seconds of flight after which to look; may be repeated [default: 1, 10, 100, 1000 and the end]
+    #[arg(long, value_name = "S", value_parser = options::time_s)]
+    pub after: Vec<f64>,
+    /// Folder for audit.json and audit.html
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// What replaces the scene's own values.
+    #[command(flatten)]
+    pub flight: FlightOptions,
+    /// How to navigate.
+    #[command(flatten)]
+    pub navigator: NavigatorOptions,
+}
+
+impl SensitivityArgs {
+    /// The scene, with every option applied.
+    pub fn scene(&self) -> Result<Scene, InputError> {
+        load(self.scene.as_deref(), &self.flight, &self.navigator)
+    }
+}
+
+/// Options of `audit matrix`.
+#[derive(Args, Clone, Debug, Default, PartialEq)]
+#[command(
+    after_help = "Example:\n  schuler audit matrix --target thumbv7em-none-eabihf --target wasm32-unknown-unknown"
+)]
+pub struct MatrixArgs {
+    /// The project's folder [default: the nearest one above that holds tests/audit]
+    #[arg(long, value_name = "DIR")]
+    pub source: Option<PathBuf>,
+    /// Golden chains to compare with [default: tests/golden of the project]
+    #[arg(long, value_name = "DIR")]
+    pub golden: Option<PathBuf>,
+    /// Only these targets, beside the first; may be repeated [default: all]
+    #[arg(long, value_name = "NAME")]
+    pub target: Vec<String>,
+    /// Folder for audit.json and audit.html
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Fail where a tool is missing, instead of skipping its targets
+    #[arg(long)]
+    pub require_all: bool,
+}

@@ -1,0 +1,253 @@
+//! Requests and their answers: sent again when no answer comes, and told apart when too many do.
+
+use super::channel::{Broken, Channel};
+use super::tally::Tally;
+use schuler::link::configuration::Configuration;
+use schuler::link::counters::Counters;
+use schuler::link::decoder::Decoder;
+use schuler::link::frame::{Header, MOST_ENCODED, TooLong, encode};
+use schuler::link::message::{Answer, Body, Request};
+use schuler::link::refusal::Refusal;
+use schuler::link::sequence::{Arrival, Sequence};
+use std::collections::VecDeque;
+use std::time::Duration;
+
+/// How long an answer is waited for: far longer than any takes.
+pub const PATIENCE: Duration = Duration::from_secs(5);
+
+/// What came of a request.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It was answered.
+    Answered(Reply),
+    /// However often it was sent: no answer came.
+    Silence,
+    /// The target has been switched off and on, and knows nothing of what it was asked before.
+    Rebooted,
+}
+
+/// An answer, free from the bytes that it came in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reply {
+    /// Who is there.
+    Hello {
+        /// Its version of the protocol.
+        version: u8,
+        /// What it can fly.
+        offers: Vec<Configuration>,
+    },
+    /// Where it stands.
+    Standing(Standing),
+    /// How many words of a stored state it has.
+    Restoring(u16),
+    /// It does not do what was asked, at a sample.
+    Refused(Refusal, u32),
+}
+
+/// Where a navigator stands: [`schuler::link::message::Standing`] with its own bytes.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Standing {
+    /// Number of the last sample.
+    pub taken: u32,
+    /// Of the last 32 a bit each: whether it came.
+    pub came: u32,
+    /// Samples behind the solution.
+    pub integrated: u64,
+    /// Digest of every state so far.
+    pub digest: u64,
+    /// The solution's scalars.
+    pub solution: Vec<u8>,
+}
+
+/// The host's end of a link.
+pub struct Conversation {
+    channel: Box<dyn Channel>,
+    decoder: Decoder,
+    inbox: VecDeque<u8>,
+    retries: u32,
+    /// Sequence number of the last frame sent.
+    sent: u32,
+    received: Sequence,
+    /// The boots of the target that were met, the present one last.
+    boots: Vec<u32>,
+    /// What the target has noticed since its last boot.
+    noticed: Counters,
+    /// Frames of requests that were given up, whose answers may still come.
+    given_up: Vec<u32>,
+    tally: Tally,
+}
+
+/// An answer, and how it stands to those before it.
+struct Heard {
+    answers: u32,
+    is_new: bool,
+    is_new_boot: bool,
+    sequence: u32,
+    reply: Reply,
+}
+
+impl Conversation {
+    /// Over a channel; a request is sent again so many times.
+    pub fn new(channel: Box<dyn Channel>, retries: u32) -> Self {
+        Self {
+            channel,
+            decoder: Decoder::default(),
+            inbox: VecDeque::new(),
+            retries,
+            sent: 0,
+            received: Sequence::default(),
+            boots: Vec::new(),
+            noticed: Counters::default(),
+            given_up: Vec::new(),
+            tally: Tally::default(),
+        }
+    }
+
+    /// Puts something between this end and the channel.
+    pub fn wrap(self, wrap: impl FnOnce(Box<dyn Channel>) -> Box<dyn Channel>) -> Self {
+        Self { channel: wrap(self.channel), ..self }
+    }
+
+    /// What happened so far.
+    pub fn tally(&self) -> Tally {
+        let mut tally = self.tally.clone();
+        tally.host.dropped = self.decoder.dropped();
+        tally.add_target(&self.noticed);
+        tally.injected = self.channel.injected();
+        tally
+    }
+
+    /// From here on no fault is put in any more; whether any was put in before.
+    pub fn calm(&mut self) -> bool {
+        self.channel.calm();
+        self.channel.injected().is_some()
+    }
+
+    /// Asks, and waits for the answer.
+    pub fn ask(&mut self, request: &Request, time_ns: u64) -> Result<Outcome, Broken> {
+        let first = self.sent.wrapping_add(1);
+        for attempt in 0..=self.retries {
+            self.send(request, time_ns)?;
+            self.tally.resent += u64::from(attempt > 0);
+            while let Some(heard) = self.hear()? {
+                let is_answer = (first..=self.sent).contains(&heard.answers);
+                if heard.is_new_boot {
+                    return Ok(Outcome::Rebooted);
+                }
+                if is_answer && matches!(heard.reply, Reply::Refused(Refusal::NotStarted, _)) {
+                    // It counts its boots no more than its frames.
+                    self.begin_boot(Sequence::after(heard.sequence));
+                    return Ok(Outcome::Rebooted);
+                }
+                if is_answer && heard.is_new {
+                    self.tally.answered(attempt, heard.answers != self.sent);
+                    return Ok(Outcome::Answered(heard.reply));
+                }
+                self.note(&heard);
+            }
+            self.tally.timeouts += 1;
+        }
+        self.given_up.extend(first..=self.sent);
+        Ok(Outcome::Silence)
+    }
+
+    /// A sample was given up.
+    pub fn lose(&mut self) {
+        self.tally.lost += 1;
+    }
+
+    fn send(&mut self, request: &Request, time_ns: u64) -> Result<(), Broken> {
+        self.sent = self.sent.wrapping_add(1);
+        self.tally.sent += 1;
+        let header = Header { kind: request.kind(), sequence: self.sent, time_ns };
+        let mut buffer = [0; MOST_ENCODED];
+        let frame = encode(&header, &mut buffer, |to| request.write(to));
+        self.channel.send(frame.map_err(|too_long: TooLong| Broken(too_long.to_string()))?)
+    }
+
+    /// The next answer that comes, whatever it answers; none within the patience that there is.
+    fn hear(&mut self) -> Result<Option<Heard>, Broken> {
+        loop {
+            while let Some(byte) = self.inbox.pop_front() {
+                let Some(frame) = self.decoder.take(byte) else { continue };
+                let sequence = frame.header.sequence;
+                let Some(answer) = Answer::read(&frame) else {
+                    self.tally.not_understood += 1;
+                    continue;
+                };
+                let (answers, boot, counters) = (answer.answers, answer.boot, answer.counters);
+                let reply = Reply::of(answer.body);
+                self.tally.received += 1;
+                let is_new_boot = self.meet(boot);
+                let is_present = self.boots.last() == Some(&boot);
+                let is_new = is_present
+                    && self.received.arrive(sequence, &mut self.tally.host) == Arrival::New;
+                if is_new {
+                    self.noticed = counters;
+                }
+                return Ok(Some(Heard { answers, is_new, is_new_boot, sequence, reply }));
+            }
+            let mut bytes = Vec::new();
+            self.channel.receive(&mut bytes, PATIENCE)?;
+            if bytes.is_empty() {
+                return Ok(None);
+            }
+            self.inbox.extend(bytes);
+        }
+    }
+
+    /// Whether a frame is the first from a target that was switched on since.
+    fn meet(&mut self, boot: u32) -> bool {
+        if self.boots.contains(&boot) {
+            return false;
+        }
+        self.boots.push(boot);
+        let is_first = self.boots.len() == 1;
+        if !is_first {
+            // It counts its frames from 1.
+            self.begin_boot(Sequence::after(0));
+        }
+        !is_first
+    }
+
+    fn begin_boot(&mut self, received: Sequence) {
+        self.tally.reboots += 1;
+        self.tally.add_target(&std::mem::take(&mut self.noticed));
+        self.received = received;
+    }
+
+    /// An answer that is not waited for.
+    fn note(&mut self, heard: &Heard) {
+        if !heard.is_new || heard.answers == 0 {
+            return;
+        }
+        let given_up = self.given_up.iter().position(|&number| number == heard.answers);
+        match given_up {
+            Some(place) => {
+                self.given_up.swap_remove(place);
+                self.tally.overdue += 1;
+            }
+            None => self.tally.surplus += 1,
+        }
+    }
+}
+
+impl Reply {
+    fn of(body: Body) -> Self {
+        match body {
+            Body::Hello { version, mut offers } => {
+                let offers = std::iter::from_fn(|| Some(Configuration::of_bytes(offers.array()?)));
+                Self::Hello { version, offers: offers.flatten().collect() }
+            }
+            Body::Solution(standing) => Self::Standing(Standing {
+                taken: standing.taken,
+                came: standing.came,
+                integrated: standing.integrated,
+                digest: standing.digest,
+                solution: standing.solution.0.to_vec(),
+            }),
+            Body::Restoring { words } => Self::Restoring(words),
+            Body::Refused { refusal, taken } => Self::Refused(refusal, taken),
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! A channel on which things go wrong, by seed: the same faults every time.
+//!
+//! It knows how many answers are due, and reports silence at once where none is: nobody waits for a
+//! frame that it swallowed, and the clock has no say in what happens. Every fault can be told from
+//! every other by its traces: no frame is hit twice, no answer to a frame that was hit, and what keeps
+//! frames waiting happens once to a request, however often it is sent again.
+
+use super::channel::{Broken, Channel};
+use super::faults::{Fault, Injected, Rates};
+use schuler::link::decoder::Decoder;
+use schuler::link::frame::{Header, MOST_ENCODED, encode};
+use schuler::link::message::{Answer, Kind, Request};
+use schuler::noise::{Stream, Streams};
+use std::collections::{HashSet, VecDeque};
+use std::time::Duration;
+
+/// Frames that a stalled target lets wait after the first.
+const STALL: u32 = 2;
+
+/// A channel with faults.
+pub struct Injector<C> {
+    channel: C,
+    rates: Rates,
+    random: Stream,
+    injected: Injected,
+    is_armed: bool,
+    /// Frames to the target that wait for the next one, or for the one after it.
+    waiting: Vec<Vec<u8>>,
+    overtaken: Vec<Vec<u8>>,
+    /// Frames that a stalled target still lets wait.
+    stalled: u32,
+    /// Sequence numbers of requests that were hit.
+    hit: HashSet<u32>,
+    /// The last request, its sequence number apart, and whether something has kept it waiting.
+    request: (Kind, Vec<u8>),
+    has_waited: bool,
+    /// Answers that are due.
+    due: u64,
+    /// Bytes from the target before they make a frame.
+    from_target: Cutter,
+    /// Answers for the host: now, after the next request, after the next answer.
+    ready: VecDeque<u8>,
+    late: Vec<u8>,
+    overtaken_answers: Vec<u8>,
+}
+
+impl<C: Channel> Injector<C> {
+    /// Puts faults into a channel on which no answer is due.
+    pub fn new(channel: C, rates: Rates, seed: u64) -> Self {
+        Self {
+            channel,
+            rates,
+            random: Streams::new(seed, 0).branch(Streams::LINK).open(),
+            injected: Injected::default(),
+            is_armed: true,
+            waiting: Vec::new(),
+            overtaken: Vec::new(),
+            stalled: 0,
+            hit: HashSet::new(),
+            request: (Kind::Greet, Vec::new()),
+            has_waited: false,
+            due: 0,
+            from_target: Cutter::default(),
+            ready: VecDeque::new(),
+            late: Vec::new(),
+            overtaken_answers: Vec::new(),
+        }
+    }
+
+    /// Sends a frame as it is, and after it those that it has overtaken.
+    fn pass(&mut self, frame: &[u8]) -> Result<(), Broken> {
+        self.deliver(frame)?;
+        for frame in std::mem::take(&mut self.overtaken) {
+            self.deliver(&frame)?;
+        }
+        Ok(())
+    }
+
+    fn deliver(&mut self, frame: &[u8]) -> Result<(), Broken> {
+        self.due += 1;
+        self.channel.send(frame)
+    }
+
+    fn pick_for_request(&mut self, header: &Header) -> Option<Fault> {
+        // A greeting is where the target begins to count.
+        if !self.is_armed || header.kind == Kind::Greet {
+            return None;
+        }
+        let fault = self.rates.pick(self.random.uniform(), Fault::ALL.len())?;
+        let is_quiet = self.waiting.is_empty() && self.overtaken.is_empty() && self.late.is_empty();
+        let possible = match fault {
+            Fault::Delay | Fault::Stall => !self.has_waited,
+            Fault::Reboot => {
+                let nothing_comes = self.overtaken_answers.is_empty() && self.due == 0;
+                !self.has_waited && is_quiet && nothing_comes && header.kind == Kind::Sample
+            }
+            _ => true,
+        };
+        let waits = matches!(fault, Fault::Delay | Fault::Stall | Fault::Reboot);
+        self.has_waited |= possible && waits;
+        possible.then_some(fault)
+    }
+
+    /// Passes a frame on to the host, whole or not.
+    fn answer(&mut self, bytes: Vec<u8>) {
+        let fault = self.pick_for_answer(&bytes);
+        if let Some(fault) = fault {
+            self.injected.count(fault, false);
+        }
+        match fault {
+            None => self.ready.extend(&bytes),
+            Some(Fault::Duplicate) => self.ready.extend([&bytes[..], &bytes].concat()),
+            Some(Fault::Reorder) => return self.overtaken_answers.extend(bytes),
+            Some(Fault::Delay) => return self.late.extend(bytes),
+            Some(Fault::Truncate) => {
+                let broken = self.truncated(&bytes);
+                return self.ready.extend(broken);
+            }
+            Some(Fault::Flip) => {
+                let broken = self.flipped(&bytes);
+                return self.ready.extend(broken);
+            }
+            Some(Fault::Drop | Fault::Stall | Fault::Reboot) => return,
+        }
+        self.ready.extend(self.overtaken_answers.drain(..));
+    }
+
+    fn pick_for_answer(&mut self, bytes: &[u8]) -> Option<Fault> {
+        let mut decoder = Decoder::default();
+        let answers = bytes.iter().find_map(|&byte| {
+            let frame = decoder.take(byte)?;
+            Some(Answer::read(&frame)?.answers)
+        })?;
+        // What is sent unasked is let through.
+        if !self.is_armed || answers == 0 || self.hit.contains(&answers) {
+            return None;
+        }
+        let fault = self.rates.pick(self.random.uniform(), Fault::OF_ANSWERS)?;
+        if fault == Fault::Delay && std::mem::replace(&mut self.has_waited, true) {
+            return None;
+        }
+        self.hit.insert(answers);
+        Some(fault)
+    }
+
+    fn truncated(&mut self, frame: &[u8]) -> Vec<u8> {
+        // At least the last byte before the closing one is missing.
+        frame[..self.below(frame.len() - 1)].to_vec()
+    }
+
+    fn flipped(&mut self, frame: &[u8]) -> Vec<u8> {
+        let mut frame = frame.to_vec();
+        let bit = self.below(8 * frame.len());
+        frame[bit / 8] ^= 1 << (bit % 8);
+        frame
+    }
+
+    fn below(&mut self, bound: usize) -> usize {
+        (self.random.uniform::<f64>() * bound as f64) as usize
+    }
+}
+
+impl<C: Channel> Channel for Injector<C> {
+    fn send(&mut self, frame: &[u8]) -> Result<(), Broken> {
+        self.ready.extend(self.late.drain(..));
+        if self.stalled > 0 {
+            self.stalled -= 1;
+            self.waiting.push(frame.to_vec());
+            return Ok(());
+        }
+        let mut decoder = Decoder::default();
+        let whole = frame.iter().find_map(|&byte| {
+            let frame = decoder.take(byte)?;
+            Some((frame.header, frame.payload.to_vec()))
+        });
+        let Some((header, payload)) = whole else { return self.channel.send(frame) };
+        let request = (header.kind, payload);
+        if self.request != request {
+            self.request = request;
+            self.has_waited = false;
+        }
+        for frame in std::mem::take(&mut self.waiting) {
+            self.pass(&frame)?;
+        }
+        let Some(fault) = self.pick_for_request(&header) else { return self.pass(frame) };
+        self.injected.count(fault, true);
+        self.hit.insert(header.sequence);
+        match fault {
+            Fault::Drop => {}
+            Fault::Duplicate => {
+                self.deliver(frame)?;
+                self.pass(frame)?;
+            }
+            Fault::Reorder => self.overtaken.push(frame.to_vec()),
+            Fault::Delay => self.waiting.push(frame.to_vec()),
+            Fault::Truncate => {
+                let broken = self.truncated(frame);
+                self.channel.send(&broken)?;
+            }
+            Fault::Flip => {
+                let broken = self.flipped(frame);
+                self.channel.send(&broken)?;
+            }
+            Fault::Stall => {
+                self.stalled = STALL;
+                self.waiting.push(frame.to_vec());
+            }
+            Fault::Reboot => {
+                self.deliver(&reset())?;
+                self.pass(frame)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn receive(&mut self, into: &mut Vec<u8>, patience: Duration) -> Result<(), Broken> {
+        while self.ready.is_empty() && self.due > 0 {
+            let mut bytes = Vec::new();
+            self.channel.receive(&mut bytes, patience)?;
+            if bytes.is_empty() {
+                break;
+            }
+            for byte in bytes {
+                if let Some(frame) = self.from_target.take(byte) {
+                    self.due = self.due.saturating_sub(1);
+                    self.answer(frame);
+                }
+            }
+        }
+        into.extend(self.ready.drain(..));
+        Ok(())
+    }
+
+    fn injected(&self) -> Option<Injected> {
+        Some(self.injected)
+    }
+
+    fn calm(&mut self) {
+        self.is_armed = false;
+        self.stalled = 0;
+    }
+}
+
+/// The frame that makes a target forget everything.
+fn reset() -> Vec<u8> {
+    let header = Header { kind: Kind::Reset, sequence: 0, time_ns: 0 };
+    let mut buffer = [0; MOST_ENCODED];
+    encode(&header, &mut buffer, |to| Request::Reset.write(to)).map_or(Vec::new(), <[u8]>::to_vec)
+}
+
+/// Cuts a stream of bytes into frames with the zero bytes about them.
+#[derive(Default)]
+struct Cutter {
+    frame: Vec<u8>,
+}
+
+impl Cutter {
+    fn take(&mut self, byte: u8) -> Option<Vec<u8>> {
+        if byte != 0 {
+            self.frame.push(byte);
+            return None;
+        }
+        let is_end = self.frame.len() > 1;
+        if self.frame.is_empty() {
+            self.frame.push(0);
+        }
+        if !is_end {
+            return None;
+        }
+        self.frame.push(0);
+        Some(std::mem::take(&mut self.frame))
+    }
+}

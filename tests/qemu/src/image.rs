@@ -1,0 +1,98 @@
+//! A linked image: its sizes, its symbols, and words that a test sets otherwise.
+
+use object::{Object as _, ObjectSection as _, ObjectSymbol as _};
+use std::path::{Path, PathBuf};
+
+/// An ELF image.
+#[derive(Clone, Debug)]
+pub struct Image {
+    /// Where it was read from.
+    pub path: PathBuf,
+    /// The whole file.
+    pub bytes: Vec<u8>,
+}
+
+impl Image {
+    /// Reads a file.
+    pub fn read(path: &Path) -> Result<Self, String> {
+        let bytes = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+        let image = Self { path: path.to_owned(), bytes };
+        image.elf()?;
+        Ok(image)
+    }
+
+    fn elf(&self) -> Result<object::File<'_>, String> {
+        object::File::parse(&*self.bytes).map_err(|error| self.complain(&error.to_string()))
+    }
+
+    fn complain(&self, what: &str) -> String {
+        format!("{}: {what}", self.path.display())
+    }
+
+    /// Bytes in the sections of these names.
+    pub fn size(&self, sections: &[&str]) -> Result<u64, String> {
+        let elf = self.elf()?;
+        let wanted = elf.sections().filter(|s| s.name().is_ok_and(|name| sections.contains(&name)));
+        Ok(wanted.map(|section| section.size()).sum())
+    }
+
+    /// The names of all that is linked.
+    pub fn symbols(&self) -> Result<Vec<String>, String> {
+        let elf = self.elf()?;
+        let linked = elf.symbols().filter(|symbol| symbol.is_definition());
+        Ok(linked.filter_map(|symbol| symbol.name().ok().map(str::to_owned)).collect())
+    }
+
+    /// The version of the compiler that left its name in the image.
+    pub fn compiler(&self) -> Result<String, String> {
+        let elf = self.elf()?;
+        let comment = elf.section_by_name(".comment").and_then(|section| section.data().ok());
+        let text = String::from_utf8_lossy(comment.unwrap_or_default()).into_owned();
+        let own = text.split('\0').find_map(|line| line.strip_prefix("rustc version "));
+        let version = own.and_then(|version| version.split(' ').next());
+        version.map(str::to_owned).ok_or_else(|| self.complain("no compiler's name in it"))
+    }
+
+    /// Sets a word of the image, `NAME=VALUE`: an f32 where the value has a point, else a u32.
+    pub fn set(&mut self, assignment: &str) -> Result<(), String> {
+        let accepted = "accepted: NAME=VALUE, with a whole number or one with a point";
+        let complaint = || format!("{assignment}: {accepted}");
+        let (name, value) = assignment.split_once('=').ok_or_else(complaint)?;
+        let word = if value.contains('.') {
+            value.parse::<f32>().map_err(|_| complaint())?.to_le_bytes()
+        } else {
+            value.parse::<u32>().map_err(|_| complaint())?.to_le_bytes()
+        };
+        let place = self.place(name)?;
+        let slot = self.bytes.get_mut(place..place + word.len());
+        slot.ok_or_else(|| format!("{name}: beyond the end of the image"))?.copy_from_slice(&word);
+        Ok(())
+    }
+
+    /// Where in the file the word of a static lies.
+    fn place(&self, name: &str) -> Result<usize, String> {
+        let elf = self.elf()?;
+        let is_named = |symbol: &str| symbol.contains(&format!("{}{name}", name.len()));
+        let found = elf.symbols().find(|s| s.size() == 4 && s.name().is_ok_and(is_named));
+        let address =
+            found.ok_or_else(|| self.complain(&format!("no word {name} in it")))?.address();
+        let place = elf.sections().find_map(|section| {
+            let (start, size) = section.file_range()?;
+            let offset = address.checked_sub(section.address()).filter(|&o| o + 4 <= size)?;
+            usize::try_from(start + offset).ok()
+        });
+        place.ok_or_else(|| self.complain(&format!("{name} is not stored in it")))
+    }
+}
+
+/// Whether a symbol, mangled, belongs to formatting or to panicking.
+pub fn can_panic(symbol: &str) -> bool {
+    ["4core9panicking", "4core3fmt", "slice_index_fail"].iter().any(|part| symbol.contains(part))
+}
+
+/// Whether a symbol is arithmetic of f64 in software.
+pub fn is_soft_double(symbol: &str) -> bool {
+    let of_arm = ["__aeabi_d", "__aeabi_f2d", "__aeabi_i2d", "__aeabi_ui2d", "__aeabi_l2d"];
+    let of_gcc = symbol.starts_with("__") && (symbol.ends_with("df3") || symbol.ends_with("df2"));
+    of_gcc || of_arm.iter().any(|start| symbol.starts_with(start) && symbol != "__aeabi_drsub")
+}

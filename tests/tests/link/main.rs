@@ -1,0 +1,4 @@
+//! The link: frames that any byte may hit, and the target's application at its end.
+
+mod application;
+mod session;

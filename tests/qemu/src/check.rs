@@ -173,7 +173,8 @@ fn column(single: &Image, measured: &Flight, flown: &Flight) -> Result<(Column, 
         values.push(match measure.source {
             Source::Budget(key) => measured.number(key)?,
             Source::Selftest(key) => flown.number(key)?,
-            Source::Code => single.size(&[".text", ".rodata"])? as f64,
+            Source::Step => single.size_of(&["every_sample", "seed_gravity"])? as f64,
+            Source::Image => single.size(&[".text", ".rodata"])? as f64,
             Source::Statics => single.size(&[".data", ".bss"])? as f64,
         });
     }

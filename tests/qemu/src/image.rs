@@ -36,6 +36,17 @@ impl Image {
         Ok(wanted.map(|section| section.size()).sum())
     }
 
+    /// Bytes of the functions whose names have one of these parts.
+    pub fn size_of(&self, parts: &[&str]) -> Result<u64, String> {
+        let elf = self.elf()?;
+        let is_meant = |name: &str| parts.iter().any(|part| name.contains(part));
+        let meant = elf.symbols().filter(|symbol| symbol.name().is_ok_and(is_meant));
+        match meant.map(|symbol| symbol.size()).sum() {
+            0 => Err(self.complain(&format!("no function {} in it", parts.join(" or ")))),
+            size => Ok(size),
+        }
+    }
+
     /// The names of all that is linked.
     pub fn symbols(&self) -> Result<Vec<String>, String> {
         let elf = self.elf()?;

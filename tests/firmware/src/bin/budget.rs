@@ -97,7 +97,10 @@ fn measure() -> Result<(), Fault> {
         black_box(motion.sample(BEFORE + n));
     }
     let counts = counter.between(from, counter.now());
-    defmt::println!("f64 perfect increments, per sample = {=f64}", counter.worth(counts.into()) / 8.0);
+    defmt::println!(
+        "f64 perfect increments, per sample = {=f64}",
+        counter.worth(counts.into()) / 8.0
+    );
     Ok(())
 }
 
@@ -220,7 +223,7 @@ fn error_terms<R: Deviate>(name: &str, motion: &Motion, counter: &Counter) -> Re
     for _ in 0..SENSOR_ROUNDS {
         let from = counter.now();
         for _ in 0..SAMPLES {
-            black_box(sensors.emulate(&mut state, black_box(&perfect)));
+            black_box(&sensors.emulate(&mut state, black_box(&perfect)));
         }
         counts += u64::from(counter.between(from, counter.now()));
     }

@@ -1,6 +1,7 @@
 //! The result of a run: what the summary and the report are made of.
 
 use crate::scene::{Scene, WindowShape};
+use serde::Serialize;
 
 /// Nine numbers about one instant: position, velocity and attitude in north, east, down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -82,6 +83,74 @@ pub struct StageTimes {
     pub navigate_ns: f64,
 }
 
+/// A kind of fault that was put in on purpose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct FaultCount {
+    /// Its name.
+    pub fault: &'static str,
+    /// In frames to the target.
+    pub to_target: u64,
+    /// In frames to the host.
+    pub to_host: u64,
+}
+
+/// What faults are noticed by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct TraceCount {
+    /// What it is.
+    pub trace: &'static str,
+    /// Faults put in that leave this trace, in frames to the target.
+    pub injected_to_target: u64,
+    /// In frames to the host.
+    pub injected_to_host: u64,
+    /// How often the target noticed it; absent where it cannot.
+    pub noticed_by_target: Option<u64>,
+    /// How often the host noticed it.
+    pub noticed_by_host: u64,
+}
+
+impl TraceCount {
+    /// Whether it was noticed as often as it was put in. The host alone notices what keeps it waiting.
+    pub fn is_explained(&self) -> bool {
+        match self.noticed_by_target {
+            Some(by_target) => {
+                by_target == self.injected_to_target
+                    && self.noticed_by_host == self.injected_to_host
+            }
+            None => self.noticed_by_host == self.injected_to_target + self.injected_to_host,
+        }
+    }
+}
+
+/// What happened on the link to a target. No clock has a say in it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LinkReport {
+    /// What the target was.
+    pub device: String,
+    /// Frames sent to it.
+    pub frames_sent: u64,
+    /// Whole frames received from it.
+    pub frames_received: u64,
+    /// Pieces between two frames' ends that were no frame, at the target.
+    pub broken_at_target: u64,
+    /// The same at the host.
+    pub broken_at_host: u64,
+    /// Faults put in, by kind.
+    pub faults: Vec<FaultCount>,
+    /// What was noticed.
+    pub traces: Vec<TraceCount>,
+    /// Frames sent again, because no answer came.
+    pub resent: u64,
+    /// Requests that were answered in the end, though not at once.
+    pub recovered: u64,
+    /// Samples given up.
+    pub lost: u64,
+    /// Samples that the target bridged.
+    pub bridged: u64,
+    /// How often a request was sent until it was answered, at most.
+    pub worst_round_trips: u32,
+}
+
 /// A finished run.
 #[derive(Clone, Debug)]
 pub struct Flight {
@@ -107,6 +176,8 @@ pub struct Flight {
     pub saturated: u64,
     /// Samples lost on the link.
     pub lost: u64,
+    /// What happened on the link to a target; absent when there was none.
+    pub link: Option<LinkReport>,
     /// Stage times; absent when not measured.
     pub time: Option<StageTimes>,
 }

@@ -4,7 +4,7 @@ use clap::Parser;
 use schuler_host::cli::{Cli, Command};
 use schuler_host::output::say;
 use schuler_host::simulate::FlightError;
-use schuler_host::{audit, emulate, ensemble, frontier, replay, run, scene, stress};
+use schuler_host::{audit, emulate, ensemble, frontier, hil, replay, run, scene, stress};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -16,6 +16,8 @@ fn main() -> ExitCode {
         Command::Stress(args) => stress::stress(&args),
         Command::Ensemble(args) => ensemble::ensemble(&args),
         Command::Audit(command) => audit::audit(&command),
+        Command::Hil(args) => hil::hil(&args),
+        Command::Twin => hil::serve::serve().map_err(FlightError::from),
         Command::Scenes => {
             let lines = scene::builtin::names().map(|(name, title)| format!("{name:14} {title}\n"));
             say(&lines.collect::<String>()).map_err(FlightError::from)

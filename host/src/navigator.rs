@@ -64,6 +64,16 @@ where
     }
 }
 
+/// Samples with a carried rest.
+fn narrow<R: Scalar>(samples: &[Increment<f64>], carried: &mut Carried) -> Vec<Increment<R>> {
+    samples.iter().map(|sample| carried.narrow(sample)).collect()
+}
+
+/// Hands rows on in double precision. One type for all uses: each is a copy of the navigator.
+fn wide<R: Scalar, O: Output<R>>(read: &mut Reader) -> impl FnMut(u64, O) {
+    move |n, row: O| read(n, &row.wide())
+}
+
 /// Takes samples without reading a row; stops before one that is refused.
 #[inline(never)]
 fn fly<M: Mechanization>(
@@ -86,7 +96,7 @@ where
         let mut carried = self.carried;
         let sample = carried.narrow(sample);
         let before = M::integrated(&self.state);
-        self.mechanization.push_rows(&mut self.state, sample, |n, row| read(n, &row.wide()))?;
+        self.mechanization.push_rows(&mut self.state, sample, wide(read))?;
         self.carried = carried;
         if M::integrated(&self.state) != before {
             self.digest.add(M::frame(&self.state));
@@ -95,7 +105,7 @@ where
     }
 
     fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), lanes::Refused> {
-        let samples: Vec<_> = samples.iter().map(|sample| self.carried.narrow(sample)).collect();
+        let samples = narrow(samples, &mut self.carried);
         fly(&self.mechanization, &mut self.state, &samples)
     }
 
@@ -104,7 +114,7 @@ where
     }
 
     fn finish(&mut self, read: &mut Reader) {
-        self.mechanization.finish_rows(&mut self.state, |n, row| read(n, &row.wide()));
+        self.mechanization.finish_rows(&mut self.state, wide(read));
         self.digest.add(M::frame(&self.state));
     }
 
@@ -122,8 +132,7 @@ where
     }
 
     fn fly_unread(&self, samples: &[Increment<f64>]) -> Box<dyn FnMut() + '_> {
-        let mut carried = Carried::default();
-        let samples: Vec<_> = samples.iter().map(|s| carried.narrow::<M::Real>(s)).collect();
+        let samples = narrow(samples, &mut Carried::default());
         Box::new(move || {
             if let Ok(mut state) = self.mechanization.start(&self.initial) {
                 // What cannot be right was refused in the run itself.

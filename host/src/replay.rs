@@ -1,7 +1,6 @@
 //! `schuler replay`: navigates a recorded stream.
 
 use crate::cli::ReplayArgs;
-use crate::gap::Bridge;
 use crate::input::{Complaint, InputError};
 use crate::navigator::{self, Unavailable};
 use crate::output::say;
@@ -13,6 +12,7 @@ use crate::simulate::{FlightError, Refused};
 use crate::units::{ARCSECOND, DEGREE, DEGREE_PER_HOUR};
 use schuler::alignment::{Alignment, AlignmentError};
 use schuler::drift::compare::drift;
+use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::solution::Solution;
@@ -147,7 +147,7 @@ fn fly(
         written: Ok(()),
     };
     let progress = Progress::new(flown.len() as u64);
-    let mut bridge = Bridge::new(options.gap);
+    let mut bridge = Bridge::new(options.gap.into());
     let mut gaps = recording.gaps().filter(|gap| gap.index > flown.start).peekable();
     for index in flown.clone() {
         let sample = recording.samples[index];
@@ -219,6 +219,7 @@ fn refused_at(refused: Refused, recording: &Recording, index: usize, missing: u6
             Complaint::new(what, "--gap bridge, which fills them from their neighbours")
         }
         Refused::Rejected(why) => Complaint::new(why.to_string(), ""),
+        Refused::Stopped(complaint) => complaint,
     };
     FlightError::Stopped(recording.error(index, complaint))
 }

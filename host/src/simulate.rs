@@ -2,13 +2,14 @@
 
 mod error;
 mod log;
+mod vehicle;
 
 pub use error::{FlightError, Refused};
+pub use vehicle::Vehicle;
 
 use crate::flight::{Flight, Instant, Nine};
-use crate::gap::Bridge;
 use crate::input::InputError;
-use crate::navigator::{self, Navigate};
+use crate::navigator;
 use crate::plan::Plan;
 use crate::scene::{Scene, Vertical};
 use crate::source::{Source, SourceError};
@@ -17,9 +18,9 @@ use crate::timing;
 use crate::units::{ARCSECOND, DEGREE};
 use log::Log;
 use schuler::drift::compare::{Drift, drift};
+use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
-use schuler::strapdown::mechanization::Rejected;
 
 /// A scene ready to be flown: all that can be wrong with it has been found.
 pub struct Simulation<'a> {
@@ -28,7 +29,7 @@ pub struct Simulation<'a> {
     plan: Plan,
     theory: Theory,
     initial: Solution<f64>,
-    navigator: Box<dyn Navigate>,
+    vehicle: Box<dyn Vehicle>,
 }
 
 impl<'a> Simulation<'a> {
@@ -41,7 +42,16 @@ impl<'a> Simulation<'a> {
         let initial = offset(&source.motion(0).initial(), scene);
         let navigator =
             navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &initial)?;
-        Ok(Self { scene, source, plan, theory, initial, navigator })
+        Ok(Self { scene, source, plan, theory, initial, vehicle: Box::new(navigator) })
+    }
+
+    /// With something else in place of the navigator: `board` gets the plan and the initial solution.
+    pub fn aboard<E>(
+        self,
+        board: impl FnOnce(&Plan, &Solution<f64>) -> Result<Box<dyn Vehicle>, E>,
+    ) -> Result<Self, E> {
+        let vehicle = board(&self.plan, &self.initial)?;
+        Ok(Self { vehicle, ..self })
     }
 
     /// Flies it. Every instant is shown to `observe` in order of time; `progress` gets the number of
@@ -51,7 +61,7 @@ impl<'a> Simulation<'a> {
         observe: &mut dyn FnMut(&Instant) -> Result<(), InputError>,
         progress: &dyn Fn(u64),
     ) -> Result<Flight, FlightError> {
-        let Self { scene, source, plan, mut theory, initial, mut navigator } = self;
+        let Self { scene, source, plan, mut theory, initial, mut vehicle } = self;
         let samples = scene.samples();
         let mut log = Log::new(samples, scene.rate_hz);
         let mut written = Ok(());
@@ -64,36 +74,35 @@ impl<'a> Simulation<'a> {
         };
         row(0, &initial);
         let mut stream = source.start(0);
-        let mut bridge = Bridge::new(scene.navigator.gap);
+        let mut bridge = Bridge::new(scene.navigator.gap.into());
         for sample in 1..=samples {
             let measured = stream.advance();
-            let taken = bridge.take(measured, |increment| -> Result<(), Refused> {
-                Ok(push(navigator.as_mut(), increment, scene, &source, &mut row)?)
+            let taken = bridge.take(measured, |increment| {
+                push(vehicle.as_mut(), increment, scene, &source, &mut row)
             });
             taken.map_err(|refused| refused.at(sample, &source))?;
             progress(sample);
         }
         bridge
-            .finish(|increment| -> Result<(), Refused> {
-                Ok(push(navigator.as_mut(), increment, scene, &source, &mut row)?)
-            })
+            .finish(|increment| push(vehicle.as_mut(), increment, scene, &source, &mut row))
+            .and_then(|()| vehicle.finish(&mut row))
             .map_err(|refused| refused.at(samples, &source))?;
-        navigator.finish(&mut row);
         written?;
 
         Ok(Flight {
             scene: scene.clone(),
             samples,
             window: plan.flown_window(scene),
-            skipped: plan.skipped(scene, &source, navigator.as_ref()),
-            digest: format!("{:016x}", navigator.digest()),
+            skipped: plan.skipped(scene, &source, vehicle.navigator()),
+            digest: format!("{:016x}", vehicle.digest()),
             last: log.last,
             max: log.max,
             overview: log.overview,
             first_minute: log.first_minute,
             saturated: stream.saturated(),
-            lost: bridge.lost,
-            time: Some(timing::stages(scene, &source, navigator.as_ref())),
+            lost: bridge.lost().into(),
+            link: None,
+            time: Some(timing::stages(scene, &source, vehicle.navigator())),
         })
     }
 }
@@ -109,17 +118,17 @@ pub fn fly(
 }
 
 fn push(
-    navigator: &mut dyn Navigate,
+    vehicle: &mut dyn Vehicle,
     increment: &schuler::sample::Increment<f64>,
     scene: &Scene,
     source: &Source,
     row: &mut dyn FnMut(u64, &Solution<f64>),
-) -> Result<(), Rejected> {
-    let before = navigator.integrated();
-    navigator.push(increment, row)?;
-    if scene.navigator.vertical == Vertical::Held && navigator.integrated() != before {
-        let truth = source.truth(navigator.integrated());
-        navigator.hold_vertical(truth.position.altitude.hi, truth.velocity_ned.z.hi);
+) -> Result<(), Refused> {
+    let before = vehicle.integrated();
+    vehicle.push(increment, row)?;
+    if scene.navigator.vertical == Vertical::Held && vehicle.integrated() != before {
+        let truth = source.truth(vehicle.integrated());
+        vehicle.hold_vertical(truth.position.altitude.hi, truth.velocity_ned.z.hi)?;
     }
     Ok(())
 }

@@ -93,15 +93,13 @@ impl Configuration {
 
 /// A mechanization that the link can start, feed, store and compare.
 pub trait Linked:
-    Mechanization<Real: Scalar + Record, Frame: Record, State: Record, Output: Record>
+    Mechanization<Real: Scalar + Record, Frame: Record, State: Record, Output: Record> + Copy + 'static
 {
     /// How it is asked for.
     const CONFIGURATION: Configuration;
 
     /// For samples of an interval in seconds, with a series of at most this order.
-    fn configured(interval_s: Pair<Self::Real>, order: usize) -> Result<Self, StartError>
-    where
-        Self: Sized;
+    fn configured(interval_s: Pair<Self::Real>, order: usize) -> Result<Self, StartError>;
 }
 
 /// The digits and axes of a frame.
@@ -135,7 +133,7 @@ linked! {
 
 impl<F, W> Linked for Strapdown<F, W>
 where
-    F: Frame<Real: Scalar + Record, Output: Record> + LinkedFrame + Record,
+    F: Frame<Real: Scalar + Record, Output: Record> + LinkedFrame + Record + 'static,
     W: Window,
 {
     const CONFIGURATION: Configuration = Configuration {
@@ -152,7 +150,7 @@ where
 
 impl<F> Linked for Textbook<F>
 where
-    F: TextbookFrame<Real: Scalar + Record, Output: Record> + LinkedFrame + Record,
+    F: TextbookFrame<Real: Scalar + Record, Output: Record> + LinkedFrame + Record + 'static,
 {
     const CONFIGURATION: Configuration = Configuration {
         digits: F::DIGITS,

@@ -50,7 +50,7 @@ pub trait Visitor {
 }
 
 /// A single mechanization: the smallest image.
-impl<M: Linked + Copy> Fleet for Flight<M> {
+impl<M: Linked> Fleet for Flight<M> {
     fn offers(mut offer: impl FnMut(Configuration)) {
         offer(M::CONFIGURATION);
     }

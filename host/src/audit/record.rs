@@ -2,11 +2,11 @@
 
 use super::chain::{Chain, Checkpoint, Row, Stage, Width};
 use super::configuration::{Configuration, Words, words};
-use crate::gap::Bridge;
 use crate::scene::{Scene, Vertical};
 use crate::simulate::{FlightError, Refused, offset};
 use crate::source::Source;
 use schuler::digest;
+use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
 use schuler::record::Record;
 
@@ -47,7 +47,7 @@ pub fn record(
     let hold = scene.navigator.vertical == Vertical::Held;
     let [trajectory, increments, noise] = &mut shared;
     let mut stream = source.start(0);
-    let mut bridge = Bridge::new(scene.navigator.gap);
+    let mut bridge = Bridge::new(scene.navigator.gap.into());
     let mut fly = |increment: &_| -> Result<(), Refused> {
         for (_, steps, recording) in &mut flights {
             let mut last = None;

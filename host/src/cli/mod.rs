@@ -1,9 +1,11 @@
 //! The command line: commands, their options, and what they do to a scene.
 
 mod audit;
+mod hil;
 mod options;
 
-pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+pub use audit::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+pub use hil::HilArgs;
 pub use options::{FlightOptions, NavigatorOptions, Window};
 
 use crate::input::{Complaint, InputError};
@@ -51,6 +53,11 @@ pub enum Command {
     /// Digests of flights, and where two of them first part
     #[command(subcommand)]
     Audit(AuditCommand),
+    /// Fly a scene with a target and its twin in step, every bit compared
+    Hil(HilArgs),
+    /// Serve as the target of `hil --device twin`
+    #[command(hide = true, after_help = "Example:\n  schuler twin")]
+    Twin,
     /// List the built-in scenes
     #[command(after_help = "Example:\n  schuler scenes")]
     Scenes,

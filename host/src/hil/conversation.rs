@@ -151,6 +151,11 @@ impl Conversation {
         Ok(Outcome::Silence)
     }
 
+    /// A sample was given up.
+    pub fn lose(&mut self) {
+        self.tally.lost += 1;
+    }
+
     fn send(&mut self, request: &Request, time_ns: u64) -> Result<(), Broken> {
         self.sent = self.sent.wrapping_add(1);
         self.tally.sent += 1;

@@ -112,8 +112,14 @@ impl<C: Channel> Injector<C> {
             Some(Fault::Duplicate) => self.ready.extend([&bytes[..], &bytes].concat()),
             Some(Fault::Reorder) => return self.overtaken_answers.extend(bytes),
             Some(Fault::Delay) => return self.late.extend(bytes),
-            Some(Fault::Truncate) => return self.ready.extend(self.truncated(&bytes)),
-            Some(Fault::Flip) => return self.ready.extend(self.flipped(&bytes)),
+            Some(Fault::Truncate) => {
+                let broken = self.truncated(&bytes);
+                return self.ready.extend(broken);
+            }
+            Some(Fault::Flip) => {
+                let broken = self.flipped(&bytes);
+                return self.ready.extend(broken);
+            }
             Some(Fault::Drop | Fault::Stall | Fault::Reboot) => return,
         }
         self.ready.extend(self.overtaken_answers.drain(..));

@@ -1,6 +1,7 @@
 //! What happened on a link, as its two ends noticed it.
 
 use super::faults::{Fault, Injected};
+use crate::flight::{FaultCount, LinkReport, TraceCount};
 use schuler::link::counters::Counters;
 use schuler::record::Record;
 
@@ -39,17 +40,6 @@ pub struct Tally {
     pub injected: Option<Injected>,
 }
 
-/// A kind of fault: how often it was put in, and noticed, on either way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Row {
-    /// Its name.
-    pub fault: &'static str,
-    /// Put in, to the target and to the host.
-    pub injected: [u64; 2],
-    /// Noticed, by the target and by the host; `None` where one cannot.
-    pub detected: [Option<u64>; 2],
-}
-
 impl Tally {
     /// A request was answered at an attempt, from 0.
     pub fn answered(&mut self, attempt: u32, is_overdue: bool) {
@@ -69,43 +59,62 @@ impl Tally {
         self.target.record("", &mut |_, sum| sum + counts.next().unwrap_or(0));
     }
 
-    /// The faults by what tells them apart: what was put in, and what was noticed of it.
-    pub fn rows(&self) -> Vec<Row> {
+    /// What was noticed, beside what was put in and is noticed so.
+    pub fn traces(&self) -> Vec<TraceCount> {
+        let Self { target, host, .. } = self;
         let injected = self.injected.unwrap_or_default();
-        let both = |faults: &[Fault]| {
+        let trace = |trace, faults: &[Fault], noticed_by_target: Option<u32>, by_host: u64| {
             let sum = |count: &dyn Fn(Fault) -> u64| faults.iter().map(|&f| count(f)).sum();
-            [sum(&|f| injected.to_target(f)), sum(&|f| injected.to_host(f))]
+            TraceCount {
+                trace,
+                injected_to_target: sum(&|fault| injected.to_target(fault)),
+                injected_to_host: sum(&|fault| injected.to_host(fault)),
+                noticed_by_target: noticed_by_target.map(u64::from),
+                noticed_by_host: by_host,
+            }
         };
-        let noticed = |count: fn(&Counters) -> u32| {
-            [Some(count(&self.target).into()), Some(count(&self.host).into())]
-        };
-        let row = |fault, injected, detected| Row { fault, injected, detected };
-        let waiting = both(&[Fault::Delay, Fault::Stall]);
+        // A frame that was overtaken is missing until it comes.
+        let never_came = |counters: &Counters| counters.missing.saturating_sub(counters.late);
         vec![
-            row(
-                "dropped, truncated or flipped",
-                both(&[Fault::Drop, Fault::Truncate, Fault::Flip]),
-                // A frame that was overtaken is missing until it comes.
-                noticed(|counters| counters.missing.saturating_sub(counters.late)),
+            trace(
+                "never came, or broken",
+                &[Fault::Drop, Fault::Truncate, Fault::Flip],
+                Some(never_came(target)),
+                never_came(host).into(),
             ),
-            row("duplicated", both(&[Fault::Duplicate]), noticed(|counters| counters.duplicated)),
-            row("reordered", both(&[Fault::Reorder]), noticed(|counters| counters.late)),
-            row("delayed or stalled", [waiting[0] + waiting[1], 0], [None, Some(self.overdue)]),
-            row("target rebooted", both(&[Fault::Reboot]), [None, Some(self.reboots)]),
+            trace(
+                "came twice",
+                &[Fault::Duplicate],
+                Some(target.duplicated),
+                host.duplicated.into(),
+            ),
+            trace("overtaken", &[Fault::Reorder], Some(target.late), host.late.into()),
+            trace("answered too late", &[Fault::Delay, Fault::Stall], None, self.overdue),
+            trace("memory lost", &[Fault::Reboot], None, self.reboots),
         ]
     }
 
-    /// Whether everything that was put in was noticed, and nothing else.
-    pub fn is_explained(&self) -> bool {
-        self.not_understood == 0
-            && self.rows().iter().all(|row| {
-                let [to_target, to_host] = row.injected;
-                match row.detected {
-                    [None, Some(by_host)] => by_host == to_target + to_host,
-                    [by_target, by_host] => {
-                        by_target.unwrap_or(0) == to_target && by_host.unwrap_or(0) == to_host
-                    }
-                }
-            })
+    /// The report of a flight.
+    pub fn report(&self, device: String) -> LinkReport {
+        let injected = self.injected.unwrap_or_default();
+        let fault = |fault: Fault| FaultCount {
+            fault: fault.name(),
+            to_target: injected.to_target(fault),
+            to_host: injected.to_host(fault),
+        };
+        LinkReport {
+            device,
+            frames_sent: self.sent,
+            frames_received: self.received,
+            broken_at_target: self.target.dropped.total().into(),
+            broken_at_host: self.host.dropped.total().into(),
+            faults: self.injected.map(|_| Fault::ALL.map(fault).to_vec()).unwrap_or_default(),
+            traces: self.traces(),
+            resent: self.resent,
+            recovered: self.recovered,
+            lost: self.lost,
+            bridged: self.bridged,
+            worst_round_trips: self.worst_round_trips,
+        }
     }
 }

@@ -3,7 +3,7 @@
 use super::number::{Quantity, parameter, printed};
 use super::page::{self, panel};
 use super::svg::escape;
-use super::{figures, heading, norm, parameters, table};
+use super::{figures, heading, link_table, norm, parameters, table};
 use crate::flight::Flight;
 use crate::input::InputError;
 use crate::output;
@@ -17,6 +17,7 @@ pub fn page(flight: &Flight) -> String {
         motion(flight),
         first_minute(flight),
         numbers(flight),
+        link(flight),
         skipped(flight),
         scene(flight),
         provenance(flight),
@@ -108,6 +109,19 @@ fn numbers(flight: &Flight) -> String {
          <p class=\"quiet\">|velocity| and |attitude| are norms: of the error, of theory’s mean, and \
          of its standard deviations (the root of the covariance’s trace). {}</p>\n",
         table::unit_note(&columns).unwrap_or_default()
+    )
+}
+
+fn link(flight: &Flight) -> String {
+    let Some(link) = &flight.link else { return String::new() };
+    let faults = match link_table::faults(link) {
+        faults if faults.is_empty() => String::new(),
+        faults => panel(&["put in", "out", "back"], &faults),
+    };
+    format!(
+        "<h2>The link to the target</h2>\n<p>{}</p>\n<div class=\"panels\">\n{}{faults}</div>\n",
+        escape(&link_table::sentence(link)),
+        panel(&link_table::TRACES, &link_table::traces(link))
     )
 }
 

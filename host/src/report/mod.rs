@@ -12,6 +12,7 @@ pub mod drift_charts;
 pub mod drift_csv;
 pub mod figures;
 pub mod html;
+pub mod link_table;
 pub mod motion_charts;
 pub mod number;
 pub mod page;

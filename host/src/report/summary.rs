@@ -1,7 +1,7 @@
 //! `summary.json`: a run in numbers, for programs.
 
 use super::{Nine, norm};
-use crate::flight::Flight;
+use crate::flight::{Flight, LinkReport};
 use crate::input::InputError;
 use crate::output;
 use serde::Serialize;
@@ -25,6 +25,8 @@ struct Summary<'a> {
     error: Error,
     theory: Theory,
     time: Option<Time>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    link: Option<&'a LinkReport>,
 }
 
 #[derive(Serialize)]
@@ -117,6 +119,7 @@ impl<'a> Summary<'a> {
                 final_mean: Components::with_norms(&flight.last.mean),
                 final_sigma: Components::with_norms(&flight.last.sigma),
             },
+            link: flight.link.as_ref(),
             time: flight.time.map(|time| Time {
                 trajectory_ns_per_sample: time.trajectory_ns,
                 emulate_ns_per_sample: time.emulate_ns,

@@ -9,6 +9,7 @@ pub mod parse;
 
 use crate::input::document::did_you_mean;
 use crate::input::{Complaint, InputError, read_text};
+use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
 use std::path::Path;
 
@@ -221,6 +222,15 @@ pub struct Link {
     pub loss: f64,
     /// Rms of the sampling instants about their nominal times, s.
     pub jitter_s: f64,
+}
+
+impl From<Gap> for Policy {
+    fn from(gap: Gap) -> Self {
+        match gap {
+            Gap::Error => Self::Refuse,
+            Gap::Bridge => Self::Bridge,
+        }
+    }
 }
 
 macro_rules! names {

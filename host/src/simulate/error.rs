@@ -1,9 +1,9 @@
 //! Why a run ends early.
 
-use crate::gap::Missing;
 use crate::input::{Complaint, InputError};
 use crate::navigator::Unavailable;
 use crate::source::{Source, SourceError};
+use schuler::link::gap::Missing;
 use schuler::strapdown::mechanization::Rejected;
 use std::fmt;
 
@@ -35,7 +35,7 @@ pub enum FlightError {
         /// Of how many.
         checks: usize,
     },
-    /// A recording cannot be navigated beyond this place.
+    /// A recording, or a device, cannot be navigated beyond this place.
     Stopped(InputError),
 }
 
@@ -85,13 +85,15 @@ impl From<Unavailable> for FlightError {
     }
 }
 
-/// A sample refused by the bridge or by the navigator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Why a sample was not taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refused {
     /// It is missing, and gaps are not bridged.
     Missing,
     /// It cannot be right, or leads where the navigator cannot go.
     Rejected(Rejected),
+    /// What navigates cannot go on.
+    Stopped(Complaint),
 }
 
 impl From<Missing> for Refused {
@@ -113,6 +115,9 @@ impl Refused {
         match self {
             Self::Missing => FlightError::Lost { sample, time_s },
             Self::Rejected(why) => FlightError::Rejected { sample, time_s, why },
+            Self::Stopped(complaint) => {
+                FlightError::Stopped(InputError::option("--device", complaint))
+            }
         }
     }
 }

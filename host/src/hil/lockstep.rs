@@ -1,0 +1,353 @@
+//! Target and twin in step: one sample out, one answer back, and every bit compared.
+
+use super::channel::Broken;
+use super::conversation::{Conversation, Outcome, Reply, Standing};
+use super::difference::{self, Difference};
+use super::pace::Pace;
+use super::tally::Tally;
+use super::twin::{Beginning, Twin};
+use crate::input::Complaint;
+use crate::navigator::{Navigate, Reader};
+use crate::simulate::{Refused, Vehicle};
+use schuler::link::bytes::Bytes;
+use schuler::link::flight::MOST_BRIDGED;
+use schuler::link::gap::Policy;
+use schuler::link::message::{MOST_WORDS, Request};
+use schuler::link::refusal::Refusal;
+use schuler::sample::Increment;
+use std::fmt;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// How often a target may be rebooted in the middle of one request before it is given up.
+const MOST_REBOOTS: u32 = 16;
+
+/// What is left of a lockstep flight when it has ended, well or not.
+#[derive(Clone, Debug, Default)]
+pub struct Ended {
+    /// What happened on the link.
+    pub tally: Tally,
+    /// How long each sample's answer took, s.
+    pub latencies_s: Vec<f64>,
+}
+
+/// Where it is left.
+pub type Log = Arc<Mutex<Ended>>;
+
+/// Why a lockstep flight ends early.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Parted {
+    /// Target and twin differ.
+    Difference(Difference),
+    /// The target does not answer any more.
+    Silence(&'static str),
+    /// It loses its memory over and over.
+    Reboots,
+    /// So many samples are lost in a row that nobody knows which it has.
+    Lost(usize),
+    /// It refuses what its twin does not, or the other way round.
+    Refusal {
+        /// The target's reason, if it refuses.
+        target: Option<Refusal>,
+        /// Its twin's.
+        twin: Option<Refusal>,
+    },
+    /// It answers what was not asked.
+    Answer(&'static str),
+    /// The connection has ended.
+    Broken(Broken),
+}
+
+impl fmt::Display for Parted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let reason = |refusal: &Option<Refusal>| match refusal {
+            Some(refusal) => format!("refuses ({refusal})"),
+            None => "goes on".to_owned(),
+        };
+        match self {
+            Self::Difference(difference) => difference.fmt(f),
+            Self::Silence(what) => write!(f, "the target does not answer {what}"),
+            Self::Reboots => write!(f, "the target was rebooted {MOST_REBOOTS} times in a row"),
+            Self::Lost(samples) => write!(f, "{samples} samples were lost in a row"),
+            Self::Refusal { target, twin } => {
+                write!(f, "the target {}, its twin {}", reason(target), reason(twin))
+            }
+            Self::Answer(what) => write!(f, "the target does not understand {what}"),
+            Self::Broken(broken) => broken.fmt(f),
+        }
+    }
+}
+
+impl From<Parted> for Complaint {
+    fn from(parted: Parted) -> Self {
+        Self::new(parted.to_string(), "")
+    }
+}
+
+impl From<Broken> for Parted {
+    fn from(broken: Broken) -> Self {
+        Self::Broken(broken)
+    }
+}
+
+/// What a lockstep flight is made of.
+pub struct Parts {
+    /// The line to the target.
+    pub conversation: Conversation,
+    /// How both sides start.
+    pub beginning: Beginning,
+    /// The host's side.
+    pub twin: Twin,
+    /// A navigator of the same kind, whose time is taken.
+    pub navigator: Box<dyn Navigate>,
+    /// Samples per second.
+    pub rate_hz: f64,
+    /// In real time, if there is one.
+    pub pace: Option<Pace>,
+}
+
+/// A vehicle that is a target and its twin.
+pub struct Lockstep {
+    conversation: Conversation,
+    beginning: Beginning,
+    twin: Twin,
+    /// The host's own, for the time that it takes.
+    navigator: Box<dyn Navigate>,
+    rate_hz: f64,
+    /// Samples so far.
+    samples: u32,
+    /// Samples that were given up, while it is not known which of them the target has.
+    open: Vec<(u32, Vec<u8>)>,
+    pace: Option<Pace>,
+    log: Log,
+}
+
+impl Lockstep {
+    /// Starts both sides; what happens is left in the log.
+    pub fn start(parts: Parts, log: Log) -> Result<Self, Parted> {
+        let Parts { conversation, beginning, twin, navigator, rate_hz, pace } = parts;
+        let mut lockstep = Self {
+            conversation,
+            beginning,
+            twin,
+            navigator,
+            rate_hz,
+            samples: 0,
+            open: Vec::new(),
+            pace,
+            log,
+        };
+        let reply = lockstep.begin()?;
+        lockstep.agree(reply)?;
+        Ok(lockstep)
+    }
+
+    /// Starts the target.
+    fn begin(&mut self) -> Result<Reply, Parted> {
+        for _ in 0..MOST_REBOOTS {
+            match self.conversation.ask(&Request::Start(self.beginning.start()), 0)? {
+                Outcome::Answered(reply) => return Ok(reply),
+                Outcome::Silence => return Err(Parted::Silence("its start")),
+                Outcome::Rebooted => {}
+            }
+        }
+        Err(Parted::Reboots)
+    }
+
+    /// Asks, and puts a target that was switched off and on back to where its twin stands.
+    fn ask(&mut self, request: &Request) -> Result<Option<Reply>, Parted> {
+        for _ in 0..MOST_REBOOTS {
+            match self.conversation.ask(request, self.time_ns())? {
+                Outcome::Answered(reply) => return Ok(Some(reply)),
+                Outcome::Silence => return Ok(None),
+                Outcome::Rebooted => self.restore()?,
+            }
+        }
+        Err(Parted::Reboots)
+    }
+
+    /// Starts a target that has forgotten everything from its twin's state.
+    fn restore(&mut self) -> Result<(), Parted> {
+        let words = self.twin.words();
+        let all = (words.len() / 8) as u16;
+        'again: for _ in 0..MOST_REBOOTS {
+            match self.conversation.ask(&Request::Start(self.beginning.start()), 0)? {
+                Outcome::Answered(Reply::Standing(_)) => {}
+                Outcome::Answered(_) => return Err(Parted::Answer("its start")),
+                Outcome::Silence => return Err(Parted::Silence("its start")),
+                Outcome::Rebooted => continue,
+            }
+            for (n, piece) in words.chunks(8 * MOST_WORDS).enumerate() {
+                let offset = (n * MOST_WORDS) as u16;
+                let request = Request::Restore { words: all, offset, piece: Bytes(piece) };
+                match self.conversation.ask(&request, self.time_ns())? {
+                    Outcome::Answered(Reply::Restoring(_)) => {}
+                    Outcome::Answered(Reply::Standing(standing)) => {
+                        return self.compare(&standing);
+                    }
+                    Outcome::Answered(_) => return Err(Parted::Answer("its state")),
+                    Outcome::Silence => return Err(Parted::Silence("its state")),
+                    Outcome::Rebooted => continue 'again,
+                }
+            }
+        }
+        Err(Parted::Reboots)
+    }
+
+    /// End of the newest sample, ns.
+    fn time_ns(&self) -> u64 {
+        (f64::from(self.samples) / self.rate_hz * 1e9).round() as u64
+    }
+
+    /// The twin flies those of the open samples that the target has.
+    fn settle(&mut self, standing: &Standing, read: &mut Reader) -> Result<(), Parted> {
+        for (number, increment) in std::mem::take(&mut self.open) {
+            let age = standing.taken.wrapping_sub(number);
+            if standing.came.checked_shr(age).is_some_and(|came| came & 1 == 1) {
+                let taken = self.twin.take(number, &increment, read);
+                taken.map_err(|twin| Parted::Refusal { target: None, twin: Some(twin) })?;
+            }
+        }
+        Ok(())
+    }
+
+    fn agree(&mut self, reply: Reply) -> Result<(), Parted> {
+        match reply {
+            Reply::Standing(standing) => self.compare(&standing),
+            Reply::Refused(target, _) => Err(Parted::Refusal { target: Some(target), twin: None }),
+            Reply::Hello { .. } | Reply::Restoring(_) => Err(Parted::Answer("what it is asked")),
+        }
+    }
+
+    fn compare(&mut self, standing: &Standing) -> Result<(), Parted> {
+        let twin = self.twin.standing();
+        match difference::first(&self.beginning.configuration, standing, &twin) {
+            None => Ok(()),
+            Some((field, target, twin)) => Err(Parted::Difference(Difference {
+                sample: self.samples.into(),
+                time_s: f64::from(self.samples) / self.rate_hz,
+                field,
+                target,
+                twin,
+            })),
+        }
+    }
+
+    fn sample(
+        &mut self,
+        sample: &Increment<f64>,
+        read: &mut Reader,
+    ) -> Result<Result<(), Refused>, Parted> {
+        self.samples += 1;
+        let (number, increment) = (self.samples, self.twin.narrow(sample));
+        let asked = self.pace.as_ref().map(|pace| pace.wait(number));
+        let reply = self.ask(&Request::Sample { number, increment: Bytes(&increment) })?;
+        if let Some(asked) = asked {
+            self.ended(|ended| ended.latencies_s.push(asked.elapsed().as_secs_f64()));
+        }
+        match reply {
+            Some(Reply::Standing(standing)) => {
+                self.settle(&standing, read)?;
+                let taken = self.twin.take(number, &increment, read);
+                taken.map_err(|twin| Parted::Refusal { target: None, twin: Some(twin) })?;
+                self.compare(&standing).map(Ok)
+            }
+            Some(Reply::Refused(target, _)) => {
+                let twin = self.twin.take(number, &increment, read).err();
+                match target {
+                    Refusal::Rejected(why) if twin == Some(target) => Ok(Err(why.into())),
+                    _ => Err(Parted::Refusal { target: Some(target), twin }),
+                }
+            }
+            Some(_) => Err(Parted::Answer("a sample")),
+            None => {
+                self.open.push((number, increment));
+                self.conversation.lose();
+                if self.beginning.gap() == Policy::Refuse {
+                    return Ok(Err(Refused::Missing));
+                }
+                if self.open.len() > MOST_BRIDGED as usize {
+                    return Err(Parted::Lost(self.open.len()));
+                }
+                Ok(Ok(()))
+            }
+        }
+    }
+
+    fn end(&mut self, read: &mut Reader) -> Result<(), Parted> {
+        let request = Request::Finish { samples: self.samples };
+        let reply = self.ask(&request)?.ok_or(Parted::Silence("the end of the stream"))?;
+        if let Reply::Standing(standing) = &reply {
+            self.settle(standing, read)?;
+        }
+        let twin = self.twin.finish(self.samples, read).err();
+        if twin.is_some() {
+            return Err(Parted::Refusal { target: None, twin });
+        }
+        self.agree(reply)?;
+        // What was put in shows only in the frames that follow it.
+        if self.conversation.calm() {
+            for _ in 0..2 {
+                let reply = self.ask(&request)?.ok_or(Parted::Silence("the end of the stream"))?;
+                self.agree(reply)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn hold(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Parted> {
+        let vertical = self.twin.vertical(altitude_m, down_m_s);
+        let reply = self.ask(&Request::Hold(Bytes(&vertical)))?;
+        let held = self.twin.hold(&vertical);
+        held.map_err(|twin| Parted::Refusal { target: None, twin: Some(twin) })?;
+        self.agree(reply.ok_or(Parted::Silence("a held height"))?)
+    }
+
+    fn ended(&self, change: impl FnOnce(&mut Ended)) {
+        change(&mut self.log.lock().unwrap_or_else(PoisonError::into_inner));
+    }
+
+    /// An end that is not the scene's: where it happened, and what.
+    fn stop(&self, parted: &Parted) -> Refused {
+        let place = match parted {
+            Parted::Difference(_) => String::new(),
+            _ => {
+                format!("sample {} at {} s: ", self.samples, f64::from(self.samples) / self.rate_hz)
+            }
+        };
+        Refused::Stopped(Complaint::new(format!("{place}{parted}"), ""))
+    }
+}
+
+impl Drop for Lockstep {
+    fn drop(&mut self) {
+        let mut tally = self.conversation.tally();
+        tally.bridged = self.twin.bridged().into();
+        self.ended(|ended| ended.tally = tally);
+    }
+}
+
+impl Vehicle for Lockstep {
+    fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Refused> {
+        self.sample(sample, read).map_err(|parted| self.stop(&parted))?
+    }
+
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Refused> {
+        self.hold(altitude_m, down_m_s).map_err(|parted| self.stop(&parted))
+    }
+
+    fn finish(&mut self, read: &mut Reader) -> Result<(), Refused> {
+        self.end(read).map_err(|parted| self.stop(&parted))
+    }
+
+    fn integrated(&self) -> u64 {
+        self.twin.standing().integrated
+    }
+
+    fn digest(&self) -> u64 {
+        self.twin.standing().digest
+    }
+
+    fn navigator(&self) -> &dyn Navigate {
+        self.navigator.as_ref()
+    }
+}

@@ -1,0 +1,185 @@
+//! `schuler hil`: a scene flown by a target and by its twin on the host, every bit compared.
+//!
+//! [`device`] opens a [`channel`], on which an [`injector`] may put [`faults`]; a [`conversation`] asks
+//! and is answered; [`lockstep`] flies both sides with it, and [`tally`] says what happened on the way.
+
+pub mod channel;
+pub mod child;
+pub mod choice;
+pub mod conversation;
+pub mod device;
+pub mod difference;
+pub mod faults;
+pub mod in_process;
+pub mod injector;
+pub mod lockstep;
+pub mod pace;
+pub mod serve;
+pub mod tally;
+pub mod twin;
+pub mod wire;
+
+use crate::cli::HilArgs;
+use crate::flight::{Flight, LinkReport};
+use crate::input::{Complaint, InputError};
+use crate::navigator;
+use crate::output::say;
+use crate::plan::Plan;
+use crate::progress::Progress;
+use crate::report::{self, DriftCsv, link_table};
+use crate::scene::Scene;
+use crate::simulate::{FlightError, Simulation, Vehicle};
+use crate::source::Source;
+use channel::Channel;
+use conversation::{Conversation, Outcome, Reply};
+use faults::Rates;
+use injector::Injector;
+use lockstep::{Ended, Lockstep, Log, Parts};
+use pace::Pace;
+use schuler::link::configuration::Configuration;
+use schuler::link::message::{Request, VERSION};
+use schuler::math::compensated::Pair;
+use schuler::solution::Solution;
+use std::path::PathBuf;
+use std::sync::PoisonError;
+use twin::{Beginning, Twin};
+
+/// How often a target is greeted that is just being switched on.
+const GREETINGS: u32 = 3;
+
+/// How a flight is flown in step with a target.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Manner {
+    /// How often a request is sent again.
+    pub retries: u32,
+    /// Faults to put in, and their seed.
+    pub faults: Option<(Rates, u64)>,
+    /// In real time.
+    pub stream: bool,
+}
+
+/// Flies a scene with a target, prints the drift and the link's table, and writes the files of `run`.
+pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
+    let scene = args.scene()?;
+    let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
+    let channel = args.device.open(&args.image)?;
+    let progress = Progress::new(scene.samples());
+    let mut drift = DriftCsv::create(&directory.join("drift.csv"))?;
+    let log = Log::default();
+    let flown =
+        fly(&scene, channel, &args.manner(), &log, &mut |instant| drift.row(instant), &|sample| {
+            progress.reach(sample)
+        });
+    progress.finish();
+    let Ended { tally, latencies_s } = log.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    let link = tally.report(args.device.to_string());
+    let mut flight = match flown {
+        Ok(flight) => flight,
+        Err(error) => {
+            say(&link_table::text(&link))?;
+            return Err(error);
+        }
+    };
+    flight.link = Some(link);
+    drift.finish()?;
+    if args.no_report {
+        report::summary::write(&flight, &directory)?;
+    } else {
+        report::write(&flight, &directory)?;
+    }
+    say(&text(&flight, &latencies_s, &directory.display().to_string()))?;
+    check(&flight)
+}
+
+fn text(flight: &Flight, latencies_s: &[f64], directory: &str) -> String {
+    let mut text = report::table(flight);
+    if let Some(link) = &flight.link {
+        text += &link_table::text(link);
+    }
+    if !latencies_s.is_empty() {
+        text += &pace::latencies(latencies_s, flight.scene.rate_hz);
+    }
+    format!(
+        "{text}Target and twin agree in every bit: digest {}.\nwritten to {directory}\n",
+        flight.digest
+    )
+}
+
+/// Faults that were put in must be noticed, and no others.
+fn check(flight: &Flight) -> Result<(), FlightError> {
+    let traces = match &flight.link {
+        Some(LinkReport { faults, traces, .. }) if !faults.is_empty() => traces.as_slice(),
+        _ => &[],
+    };
+    let failed = traces.iter().filter(|trace| !trace.is_explained()).count();
+    let checks = traces.len();
+    if failed == 0 { Ok(()) } else { Err(FlightError::Failed { failed, checks }) }
+}
+
+/// Flies a scene in step with the target at the end of a channel; what happened on it is left in the
+/// log, whatever the outcome.
+pub fn fly(
+    scene: &Scene,
+    channel: Box<dyn Channel>,
+    manner: &Manner,
+    log: &Log,
+    observe: &mut dyn FnMut(&crate::flight::Instant) -> Result<(), InputError>,
+    progress: &dyn Fn(u64),
+) -> Result<Flight, FlightError> {
+    let mut conversation = Conversation::new(channel, manner.retries);
+    let offers = greet(&mut conversation)?;
+    let planned = Plan::new(scene, &Source::new(scene, false)?, false).window;
+    let configuration = choice::choose(&scene.navigator, planned, &offers)?;
+    let mut scene = scene.clone();
+    scene.navigator.window = choice::window(&configuration);
+    if let Some((rates, seed)) = manner.faults {
+        conversation = conversation.wrap(|channel| Box::new(Injector::new(channel, rates, seed)));
+    }
+    let simulation = Simulation::new(&scene, false)?.aboard(|plan, initial| {
+        let parts = parts(&scene, plan, initial, conversation, configuration, manner)?;
+        let lockstep = Lockstep::start(parts, log.clone()).map_err(stopped)?;
+        Ok::<Box<dyn Vehicle>, FlightError>(Box::new(lockstep))
+    })?;
+    simulation.fly(observe, progress)
+}
+
+fn parts(
+    scene: &Scene,
+    plan: &Plan,
+    initial: &Solution<f64>,
+    conversation: Conversation,
+    configuration: Configuration,
+    manner: &Manner,
+) -> Result<Parts, FlightError> {
+    let (rate_hz, navigator) = (scene.rate_hz, &scene.navigator);
+    let interval_s = Pair::new(rate_hz).reciprocal();
+    let gap = navigator.gap.into();
+    let beginning = Beginning::new(configuration, plan.order, gap, interval_s, initial);
+    let twin = Twin::start(&beginning).map_err(|refusal| {
+        let complaint = Complaint::new(refusal.to_string(), "");
+        FlightError::Input(InputError::option("navigator", complaint))
+    })?;
+    let navigator = navigator::start(navigator, plan.window, plan.order, interval_s, initial)?;
+    let pace = manner.stream.then(|| Pace::new(rate_hz));
+    Ok(Parts { conversation, beginning, twin, navigator, rate_hz, pace })
+}
+
+/// What the target can fly.
+fn greet(conversation: &mut Conversation) -> Result<Vec<Configuration>, FlightError> {
+    for _ in 0..GREETINGS {
+        match conversation.ask(&Request::Greet, 0).map_err(stopped)? {
+            Outcome::Answered(Reply::Hello { version: VERSION, offers }) => return Ok(offers),
+            Outcome::Answered(Reply::Hello { version, .. }) => {
+                let what = format!("speaks version {version} of the protocol");
+                return Err(stopped(Complaint::new(what, format!("version {VERSION}"))));
+            }
+            Outcome::Answered(_) => break,
+            Outcome::Silence | Outcome::Rebooted => {}
+        }
+    }
+    Err(stopped(Complaint::new("no target answers", "")))
+}
+
+fn stopped(what: impl Into<Complaint>) -> FlightError {
+    FlightError::Stopped(InputError::option("--device", what.into()))
+}

@@ -1,6 +1,7 @@
 //! Every image on every machine: flown, compared with the program on this machine, measured.
 
 use super::budget::{Column, MEASURES, Source, Table, written};
+use super::hil;
 use super::image::{self, Image};
 use super::machine::{MACHINES, Machine};
 use super::qemu::{self, Flight};
@@ -128,6 +129,13 @@ fn examine(
     let navigator = read("navigator-f32")?;
     for image in [&single, &navigator] {
         faults.extend(forbidden(image, machine)?);
+    }
+    for image in [&selftest, &navigator] {
+        let of_core = image.statics()?.into_iter().filter(|name| image::is_of_core(name));
+        faults.extend(of_core.map(|name| format!("the core has a static: {name}")));
+    }
+    if let Some(said) = hil::fly(machine, &navigator, &places.schuler)? {
+        faults.push(format!("schuler hil: {said}"));
     }
     let column = column(&single, &measured, &flown)?;
     // The budgets are those of the reference board's target.

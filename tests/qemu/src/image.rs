@@ -54,6 +54,17 @@ impl Image {
         Ok(linked.filter_map(|symbol| symbol.name().ok().map(str::to_owned)).collect())
     }
 
+    /// The names of all that lies in memory that is written to.
+    pub fn statics(&self) -> Result<Vec<String>, String> {
+        let elf = self.elf()?;
+        let is_written = |symbol: &object::Symbol<'_, '_>| {
+            let section = symbol.section_index().and_then(|index| elf.section_by_index(index).ok());
+            section.is_some_and(|s| s.name().is_ok_and(|name| [".data", ".bss"].contains(&name)))
+        };
+        let written = elf.symbols().filter(|symbol| symbol.size() > 0 && is_written(symbol));
+        Ok(written.filter_map(|symbol| symbol.name().ok().map(str::to_owned)).collect())
+    }
+
     /// The version of the compiler that left its name in the image.
     pub fn compiler(&self) -> Result<String, String> {
         let elf = self.elf()?;
@@ -106,4 +117,34 @@ pub fn is_soft_double(symbol: &str) -> bool {
     let of_arm = ["__aeabi_d", "__aeabi_f2d", "__aeabi_i2d", "__aeabi_ui2d", "__aeabi_l2d"];
     let of_gcc = symbol.starts_with("__") && (symbol.ends_with("df3") || symbol.ends_with("df2"));
     of_gcc || of_arm.iter().any(|start| symbol.starts_with(start) && symbol != "__aeabi_drsub")
+}
+
+/// Whether a symbol, mangled, belongs to the core.
+pub fn is_of_core(symbol: &str) -> bool {
+    symbol.contains("7schuler")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_are_known_by_their_names() {
+        assert!(can_panic("_RNvNtCs7ldSeZOOJos_4core9panicking9panic_fmt"));
+        assert!(can_panic("_ZN4core3fmt9Formatter3pad17h0123456789abcdefE"));
+        assert!(is_soft_double("__aeabi_dmul") && is_soft_double("__aeabi_f2d"));
+        assert!(is_soft_double("__muldf3") && is_soft_double("__ltdf2"));
+        assert!(is_of_core("_RNvNtCs1_7schuler5noise3mix"));
+        for symbol in ["__aeabi_memcpy", "_RNvCs1_16schuler_firmware4main", "__mulsf3", "sqrtf"] {
+            assert!(
+                !can_panic(symbol) && !is_soft_double(symbol) && !is_of_core(symbol),
+                "{symbol}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_core_has_no_unsafe_code() {
+        assert!(include_str!("../../../core/src/lib.rs").contains("#![forbid(unsafe_code)]"));
+    }
 }

@@ -12,6 +12,7 @@ use schuler::strapdown::local_level::LocalLevel;
 use schuler::strapdown::mechanization::{Rejected, StartError};
 use schuler::strapdown::navigator::{State, Strapdown};
 use schuler::strapdown::window::H0B4A0;
+use schuler_firmware::application;
 use schuler_firmware::board::entry;
 
 type Frame = LocalLevel<Pair<f32>>;
@@ -46,10 +47,10 @@ fn main() -> ! {
             black_box(state.output());
         }
     }
-    loop {}
+    application::stop()
 }
 
 #[panic_handler]
 fn panicked(_: &core::panic::PanicInfo) -> ! {
-    loop {}
+    application::stop()
 }

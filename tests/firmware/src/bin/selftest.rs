@@ -108,7 +108,7 @@ fn fly() -> Result<bool, Fault> {
         perfect_precise.push(&counter, &perfect)?;
         paper_single.push(&counter, &sensed)?;
         paper_double.push(&counter, &sensed)?;
-        if sample as usize % H0B4A0::BLOCK == 0 {
+        if (sample as usize).is_multiple_of(H0B4A0::BLOCK) {
             let truth = course.at(time_s(sample)).solution();
             perfect_single.compare(&truth);
             perfect_precise.compare(&truth);

@@ -23,9 +23,7 @@ fn main() {
     println!("cargo:rustc-link-search={}", out.display());
     println!("cargo:rustc-link-arg-bins=--nmagic");
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
-    for image in ["selftest", "budget"] {
-        println!("cargo:rustc-link-arg-bin={image}=-Tdefmt.x");
-    }
+    println!("cargo:rustc-link-arg-bins=-Tdefmt.x");
 }
 
 fn copy(from: &Path, to: &Path) {

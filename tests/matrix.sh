@@ -21,7 +21,7 @@ if [ ${#packages[@]} -gt 0 ] && has apt-get && [ "$(id -u)" = 0 ]; then
 fi
 
 $schuler audit matrix ${CI:+--require-all} "$@"
-tests/fused.sh "${CARGO_TARGET_DIR:-target}/audit" || {
+tests/fused.sh "${CARGO_TARGET_DIR:-target}/audit/images" || {
     if [ $? != 2 ] || [ -n "${CI:-}" ]; then exit 1; fi
     echo "skipped: instructions are not looked at"
 }

@@ -74,6 +74,27 @@ fn wide<R: Scalar, O: Output<R>>(read: &mut Reader) -> impl FnMut(u64, O) {
     move |n, row: O| read(n, &row.wide())
 }
 
+/// Takes a sample, and reads the rows that it completes: once for each mechanization, whoever flies it.
+#[inline(never)]
+pub fn push<M: Mechanization<Real: Scalar>>(
+    mechanization: &M,
+    state: &mut M::State,
+    sample: Increment<M::Real>,
+    read: &mut Reader,
+) -> Result<(), Rejected> {
+    mechanization.push_rows(state, sample, wide(read))
+}
+
+/// Completes the rows that wait for samples, and reads them.
+#[inline(never)]
+pub fn finish<M: Mechanization<Real: Scalar>>(
+    mechanization: &M,
+    state: &mut M::State,
+    read: &mut Reader,
+) {
+    mechanization.finish_rows(state, wide(read));
+}
+
 /// Takes samples without reading a row; stops before one that is refused.
 #[inline(never)]
 fn fly<M: Mechanization>(
@@ -96,7 +117,7 @@ where
         let mut carried = self.carried;
         let sample = carried.narrow(sample);
         let before = M::integrated(&self.state);
-        self.mechanization.push_rows(&mut self.state, sample, wide(read))?;
+        push(&self.mechanization, &mut self.state, sample, read)?;
         self.carried = carried;
         if M::integrated(&self.state) != before {
             self.digest.add(M::frame(&self.state));
@@ -114,7 +135,7 @@ where
     }
 
     fn finish(&mut self, read: &mut Reader) {
-        self.mechanization.finish_rows(&mut self.state, wide(read));
+        finish(&self.mechanization, &mut self.state, read);
         self.digest.add(M::frame(&self.state));
     }
 

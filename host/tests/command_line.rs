@@ -40,7 +40,7 @@ fn definitions_are_consistent_and_help_has_examples() {
         help.starts_with("Flies a strapdown") && help.contains("Examples:\n  schuler "),
         "{help}"
     );
-    for name in ["run", "emulate", "replay", "frontier", "stress", "ensemble", "scenes"] {
+    for name in ["run", "emulate", "replay", "frontier", "stress", "ensemble", "hil", "scenes"] {
         let help = command.find_subcommand_mut(name).expect(name).render_help().to_string();
         assert!(help.contains(&format!("\n  schuler {name}")), "{help}");
         let about = [

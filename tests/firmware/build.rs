@@ -11,6 +11,15 @@ const MAPS: [(&str, &str); 4] = [
     ("VIRT", "memory/virt.x"),
 ];
 
+/// What is done with defmt's table in each image.
+const SCRIPTS: [(&str, &str); 5] = [
+    ("selftest", "defmt.x"),
+    ("budget", "defmt.x"),
+    ("navigator", "quiet.x"),
+    ("navigator-f32", "quiet.x"),
+    ("single", "quiet.x"),
+];
+
 fn main() {
     let chosen = |feature: &str| env::var_os(format!("CARGO_FEATURE_{feature}")).is_some();
     let boards: Vec<_> = MAPS.into_iter().filter(|(feature, _)| chosen(feature)).collect();
@@ -20,11 +29,12 @@ fn main() {
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
     copy(&root.join(map), &out.join("memory.x"));
+    copy(&root.join("quiet.x"), &out.join("quiet.x"));
     println!("cargo:rustc-link-search={}", out.display());
     println!("cargo:rustc-link-arg-bins=--nmagic");
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
-    for image in ["selftest", "budget"] {
-        println!("cargo:rustc-link-arg-bin={image}=-Tdefmt.x");
+    for (image, script) in SCRIPTS {
+        println!("cargo:rustc-link-arg-bin={image}=-T{script}");
     }
 }
 

@@ -144,14 +144,8 @@ impl<M: Linked> Flight<M> {
         mut push: impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), Rejected>,
     ) -> Result<(), Refusal> {
         let Self { mechanization, state, digest, bridge, .. } = self;
-        let mut pass = |sample: &Increment<M::Real>| -> Result<(), Refusal> {
-            let before = M::integrated(state);
-            push(mechanization, state, *sample)?;
-            if M::integrated(state) != before {
-                digest.add(M::frame(state));
-            }
-            Ok(())
-        };
+        let mut pass =
+            |sample: &Increment<M::Real>| step(mechanization, state, digest, *sample, &mut push);
         for _ in 0..missing {
             bridge.take(None, &mut pass)?;
         }
@@ -222,6 +216,23 @@ impl<M: Linked> Flight<M> {
             bits
         });
     }
+}
+
+/// One sample through the navigator: never inlined, so that an image has it once.
+#[inline(never)]
+fn step<M: Linked>(
+    mechanization: &M,
+    state: &mut M::State,
+    digest: &mut Digest,
+    sample: Increment<M::Real>,
+    push: &mut impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), Rejected>,
+) -> Result<(), Refusal> {
+    let before = M::integrated(state);
+    push(mechanization, state, sample)?;
+    if M::integrated(state) != before {
+        digest.add(M::frame(state));
+    }
+    Ok(())
 }
 
 /// All that goes on from sample to sample; the configuration and the policy are not part of it.

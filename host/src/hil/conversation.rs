@@ -123,10 +123,24 @@ impl Conversation {
         self.channel.injected().is_some()
     }
 
+    /// Asks who is there, of somebody who may not be.
+    pub fn greet(&mut self) -> Result<Outcome, Broken> {
+        self.ask_again(&Request::Greet, 0, 1)
+    }
+
     /// Asks, and waits for the answer.
     pub fn ask(&mut self, request: &Request, time_ns: u64) -> Result<Outcome, Broken> {
+        self.ask_again(request, time_ns, self.retries)
+    }
+
+    fn ask_again(
+        &mut self,
+        request: &Request,
+        time_ns: u64,
+        retries: u32,
+    ) -> Result<Outcome, Broken> {
         let first = self.sent.wrapping_add(1);
-        for attempt in 0..=self.retries {
+        for attempt in 0..=retries {
             self.send(request, time_ns)?;
             self.tally.resent += u64::from(attempt > 0);
             while let Some(heard) = self.hear()? {

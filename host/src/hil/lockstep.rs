@@ -1,9 +1,9 @@
 //! Target and twin in step: one sample out, one answer back, and every bit compared.
 
-use super::channel::Broken;
 use super::conversation::{Conversation, Outcome, Reply, Standing};
 use super::difference::{self, Difference};
 use super::pace::Pace;
+use super::parted::{MOST_REBOOTS, Parted};
 use super::tally::Tally;
 use super::twin::{Beginning, Twin};
 use crate::input::Complaint;
@@ -15,11 +15,7 @@ use schuler::link::gap::Policy;
 use schuler::link::message::{MOST_WORDS, Request};
 use schuler::link::refusal::Refusal;
 use schuler::sample::Increment;
-use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
-
-/// How often a target may be rebooted in the middle of one request before it is given up.
-const MOST_REBOOTS: u32 = 16;
 
 /// What is left of a lockstep flight when it has ended, well or not.
 #[derive(Clone, Debug, Default)]
@@ -32,62 +28,6 @@ pub struct Ended {
 
 /// Where it is left.
 pub type Log = Arc<Mutex<Ended>>;
-
-/// Why a lockstep flight ends early.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Parted {
-    /// Target and twin differ.
-    Difference(Difference),
-    /// The target does not answer any more.
-    Silence(&'static str),
-    /// It loses its memory over and over.
-    Reboots,
-    /// So many samples are lost in a row that nobody knows which it has.
-    Lost(usize),
-    /// It refuses what its twin does not, or the other way round.
-    Refusal {
-        /// The target's reason, if it refuses.
-        target: Option<Refusal>,
-        /// Its twin's.
-        twin: Option<Refusal>,
-    },
-    /// It answers what was not asked.
-    Answer(&'static str),
-    /// The connection has ended.
-    Broken(Broken),
-}
-
-impl fmt::Display for Parted {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let reason = |refusal: &Option<Refusal>| match refusal {
-            Some(refusal) => format!("refuses ({refusal})"),
-            None => "goes on".to_owned(),
-        };
-        match self {
-            Self::Difference(difference) => difference.fmt(f),
-            Self::Silence(what) => write!(f, "the target does not answer {what}"),
-            Self::Reboots => write!(f, "the target was rebooted {MOST_REBOOTS} times in a row"),
-            Self::Lost(samples) => write!(f, "{samples} samples were lost in a row"),
-            Self::Refusal { target, twin } => {
-                write!(f, "the target {}, its twin {}", reason(target), reason(twin))
-            }
-            Self::Answer(what) => write!(f, "the target does not understand {what}"),
-            Self::Broken(broken) => broken.fmt(f),
-        }
-    }
-}
-
-impl From<Parted> for Complaint {
-    fn from(parted: Parted) -> Self {
-        Self::new(parted.to_string(), "")
-    }
-}
-
-impl From<Broken> for Parted {
-    fn from(broken: Broken) -> Self {
-        Self::Broken(broken)
-    }
-}
 
 /// What a lockstep flight is made of.
 pub struct Parts {

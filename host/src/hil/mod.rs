@@ -14,6 +14,7 @@ pub mod in_process;
 pub mod injector;
 pub mod lockstep;
 pub mod pace;
+pub mod parted;
 pub mod serve;
 pub mod tally;
 pub mod twin;
@@ -37,7 +38,7 @@ use injector::Injector;
 use lockstep::{Ended, Lockstep, Log, Parts};
 use pace::Pace;
 use schuler::link::configuration::Configuration;
-use schuler::link::message::{Request, VERSION};
+use schuler::link::message::VERSION;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
 use std::path::PathBuf;
@@ -76,7 +77,9 @@ pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
     let mut flight = match flown {
         Ok(flight) => flight,
         Err(error) => {
-            say(&link_table::text(&link))?;
+            if link.frames_sent > 0 {
+                say(&link_table::text(&link))?;
+            }
             return Err(error);
         }
     };
@@ -167,14 +170,14 @@ fn parts(
 /// What the target can fly.
 fn greet(conversation: &mut Conversation) -> Result<Vec<Configuration>, FlightError> {
     for _ in 0..GREETINGS {
-        match conversation.ask(&Request::Greet, 0).map_err(stopped)? {
+        match conversation.greet().map_err(stopped)? {
             Outcome::Answered(Reply::Hello { version: VERSION, offers }) => return Ok(offers),
             Outcome::Answered(Reply::Hello { version, .. }) => {
                 let what = format!("speaks version {version} of the protocol");
                 return Err(stopped(Complaint::new(what, format!("version {VERSION}"))));
             }
-            Outcome::Answered(_) => break,
-            Outcome::Silence | Outcome::Rebooted => {}
+            Outcome::Answered(_) | Outcome::Silence => break,
+            Outcome::Rebooted => {}
         }
     }
     Err(stopped(Complaint::new("no target answers", "")))

@@ -1,7 +1,7 @@
 //! The host's twin of the target: the same code, fed with the same bytes.
 
 use super::conversation::Standing;
-use crate::navigator::Reader;
+use crate::navigator::{self, Reader};
 use schuler::link::bytes::Bytes;
 use schuler::link::configuration::{Configuration, Linked};
 use schuler::link::fleet::{Every, Fleet, Visitor};
@@ -15,7 +15,6 @@ use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
-use schuler::strapdown::frame::Output as _;
 use schuler::strapdown::plan::Digits;
 use std::cell::RefCell;
 
@@ -160,9 +159,7 @@ impl Visitor for Take<'_, '_> {
     fn visit<M: Linked>(self, flight: &mut Flight<M>) -> Self::Result {
         let Self(number, mut increment, read) = self;
         let sample = increment.increment().ok_or(Refusal::Malformed)?;
-        flight.take(number, sample, |m, state, sample| {
-            m.push_rows(state, sample, |n, row| read(n, &row.wide()))
-        })
+        flight.take(number, sample, |m, state, sample| navigator::push(m, state, sample, read))
     }
 }
 
@@ -175,10 +172,8 @@ impl Visitor for Finish<'_, '_> {
         let read = RefCell::new(read);
         flight.finish(
             samples,
-            |m, state, sample| {
-                m.push_rows(state, sample, |n, row| (read.borrow_mut())(n, &row.wide()))
-            },
-            |m, state| m.finish_rows(state, |n, row| (read.borrow_mut())(n, &row.wide())),
+            |m, state, sample| navigator::push(m, state, sample, *read.borrow_mut()),
+            |m, state| navigator::finish(m, state, *read.borrow_mut()),
         )
     }
 }

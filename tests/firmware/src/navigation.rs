@@ -34,6 +34,11 @@ pub fn planned<F: Frame<Real: Scalar>, W: Window>(
     Ok(Strapdown::new(Pair::narrow(interval_s))?.with_order(order))
 }
 
+/// The larger; a NaN stays for everyone to see.
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
 /// One of the core's mechanizations with its state.
 pub struct Navigation<M: Mechanization> {
     mechanization: M,
@@ -84,10 +89,7 @@ impl<M: Mechanization<Real: Scalar, Frame: Record>> Navigation<M> {
     /// Compares with the truth at the end of the last block.
     pub fn compare(&mut self, truth: &Solution<f64>) {
         self.final_m = drift(&self.solution(), truth).position_ned.norm();
-        // A NaN stays.
-        if !(self.final_m <= self.largest_m) {
-            self.largest_m = self.final_m;
-        }
+        self.largest_m = larger(self.final_m, self.largest_m);
     }
 
     /// Navigation at the end of the last block.

@@ -1,6 +1,7 @@
 //! Every image on every machine: flown, compared with the program on this machine, measured.
 
 use super::budget::{Column, MEASURES, Source, Table, written};
+use super::hil;
 use super::image::{self, Image};
 use super::machine::{MACHINES, Machine};
 use super::qemu::{self, Flight};
@@ -129,6 +130,13 @@ fn examine(
     for image in [&single, &navigator] {
         faults.extend(forbidden(image, machine)?);
     }
+    for image in [&selftest, &navigator] {
+        let of_core = image.statics()?.into_iter().filter(|name| image::is_of_core(name));
+        faults.extend(of_core.map(|name| format!("the core has a static: {name}")));
+    }
+    if let Some(said) = hil::fly(machine, &navigator, &places.schuler)? {
+        faults.push(format!("schuler hil: {said}"));
+    }
     let column = column(&single, &measured, &flown)?;
     // The budgets are those of the reference board's target.
     if machine.target == MACHINES[0].target {
@@ -173,7 +181,8 @@ fn column(single: &Image, measured: &Flight, flown: &Flight) -> Result<(Column, 
         values.push(match measure.source {
             Source::Budget(key) => measured.number(key)?,
             Source::Selftest(key) => flown.number(key)?,
-            Source::Code => single.size(&[".text", ".rodata"])? as f64,
+            Source::Step => single.size_of(&["every_sample", "seed_gravity"])? as f64,
+            Source::Image => single.size(&[".text", ".rodata"])? as f64,
             Source::Statics => single.size(&[".data", ".bss"])? as f64,
         });
     }

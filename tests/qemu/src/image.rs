@@ -36,11 +36,33 @@ impl Image {
         Ok(wanted.map(|section| section.size()).sum())
     }
 
+    /// Bytes of the functions whose names have one of these parts.
+    pub fn size_of(&self, parts: &[&str]) -> Result<u64, String> {
+        let elf = self.elf()?;
+        let is_meant = |name: &str| parts.iter().any(|part| name.contains(part));
+        let meant = elf.symbols().filter(|symbol| symbol.name().is_ok_and(is_meant));
+        match meant.map(|symbol| symbol.size()).sum() {
+            0 => Err(self.complain(&format!("no function {} in it", parts.join(" or ")))),
+            size => Ok(size),
+        }
+    }
+
     /// The names of all that is linked.
     pub fn symbols(&self) -> Result<Vec<String>, String> {
         let elf = self.elf()?;
         let linked = elf.symbols().filter(|symbol| symbol.is_definition());
         Ok(linked.filter_map(|symbol| symbol.name().ok().map(str::to_owned)).collect())
+    }
+
+    /// The names of all that lies in memory that is written to.
+    pub fn statics(&self) -> Result<Vec<String>, String> {
+        let elf = self.elf()?;
+        let is_written = |symbol: &object::Symbol<'_, '_>| {
+            let section = symbol.section_index().and_then(|index| elf.section_by_index(index).ok());
+            section.is_some_and(|s| s.name().is_ok_and(|name| [".data", ".bss"].contains(&name)))
+        };
+        let written = elf.symbols().filter(|symbol| symbol.size() > 0 && is_written(symbol));
+        Ok(written.filter_map(|symbol| symbol.name().ok().map(str::to_owned)).collect())
     }
 
     /// The version of the compiler that left its name in the image.
@@ -95,4 +117,34 @@ pub fn is_soft_double(symbol: &str) -> bool {
     let of_arm = ["__aeabi_d", "__aeabi_f2d", "__aeabi_i2d", "__aeabi_ui2d", "__aeabi_l2d"];
     let of_gcc = symbol.starts_with("__") && (symbol.ends_with("df3") || symbol.ends_with("df2"));
     of_gcc || of_arm.iter().any(|start| symbol.starts_with(start) && symbol != "__aeabi_drsub")
+}
+
+/// Whether a symbol, mangled, belongs to the core.
+pub fn is_of_core(symbol: &str) -> bool {
+    symbol.contains("7schuler")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_are_known_by_their_names() {
+        assert!(can_panic("_RNvNtCs7ldSeZOOJos_4core9panicking9panic_fmt"));
+        assert!(can_panic("_ZN4core3fmt9Formatter3pad17h0123456789abcdefE"));
+        assert!(is_soft_double("__aeabi_dmul") && is_soft_double("__aeabi_f2d"));
+        assert!(is_soft_double("__muldf3") && is_soft_double("__ltdf2"));
+        assert!(is_of_core("_RNvNtCs1_7schuler5noise3mix"));
+        for symbol in ["__aeabi_memcpy", "_RNvCs1_16schuler_firmware4main", "__mulsf3", "sqrtf"] {
+            assert!(
+                !can_panic(symbol) && !is_soft_double(symbol) && !is_of_core(symbol),
+                "{symbol}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_core_has_no_unsafe_code() {
+        assert!(include_str!("../../../core/src/lib.rs").contains("#![forbid(unsafe_code)]"));
+    }
 }

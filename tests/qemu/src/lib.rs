@@ -2,6 +2,7 @@
 
 pub mod budget;
 pub mod check;
+pub mod hil;
 pub mod image;
 pub mod machine;
 pub mod qemu;

@@ -4,12 +4,14 @@ use crate::session::{answers, frame, increments, initial, said, scalars, start};
 use schuler::digest::Digest;
 use schuler::link::bytes::Bytes;
 use schuler::link::configuration::Linked;
-use schuler::link::fleet::Every;
+use schuler::link::counters::Counters;
+use schuler::link::fleet::{Every, Fleet};
+use schuler::link::frame::{Header, MOST_ENCODED, encode};
 use schuler::link::gap::Policy;
-use schuler::link::message::{Body, Request};
+use schuler::link::message::{Body, Kind, MOST_WORDS, Request};
 use schuler::link::target::Target;
 use schuler::math::compensated::Pair;
-use schuler::math::real::Scalar;
+use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
 use schuler::strapdown::earth_fixed::EarthFixed;
@@ -17,7 +19,7 @@ use schuler::strapdown::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::textbook::{LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::{H0B4A0, H2B4A2};
+use schuler::strapdown::window::{H0B4A0, H2B4A2, Parabola20};
 use schuler_tests::Course;
 
 /// A whole flight through the target, every solution and digest against the mechanization itself.
@@ -74,4 +76,214 @@ fn flies_what_a_navigator_flies() {
     flies_the_same_bits::<Strapdown<LocalLevel<Pair<f32>>, H0B4A0>>();
     flies_the_same_bits::<Strapdown<EarthFixed<Pair<f64>>, H2B4A2>>();
     flies_the_same_bits::<Textbook<LocalLevelTextbook<f32>>>();
+}
+
+type Flown = Strapdown<LocalLevel<Pair<f32>>, H0B4A0>;
+
+/// A target that flies, and what it says to one frame after the other.
+struct Line {
+    target: Target<Every>,
+    increments: Vec<Vec<u8>>,
+}
+
+impl Line {
+    fn new(gap: Policy) -> Self {
+        let course = Course::new("manoeuvre", 1.0, 0.5);
+        let mut line = Self { target: Target::new(0), increments: increments::<f32>(&course) };
+        let initial = initial::<Flown>(&course);
+        line.tell(&frame(&start::<Flown>(&initial, gap), 1));
+        line
+    }
+
+    /// The frame of a sample.
+    fn sample(&self, number: u32, sequence: u32) -> Vec<u8> {
+        let increment = Bytes(&self.increments[number as usize - 1]);
+        frame(&Request::Sample { number, increment }, sequence)
+    }
+
+    /// Everything that is answered to some bytes: what is answered, what was noticed, and a name.
+    fn tell(&mut self, bytes: &[u8]) -> Vec<(u32, Counters, String)> {
+        let mut heard = Vec::new();
+        answers(&said(&mut self.target, bytes), |_, answer| {
+            let name = match answer.body {
+                Body::Hello { .. } => "hello".to_owned(),
+                Body::Solution(at) => {
+                    format!("at {} of {}: {:b}", at.integrated, at.taken, at.came)
+                }
+                Body::Restoring { words } => format!("{words} words"),
+                Body::Refused { refusal, taken } => format!("{refusal:?} at {taken}"),
+            };
+            heard.push((answer.answers, answer.counters, name));
+        });
+        heard
+    }
+}
+
+fn noticed(change: impl FnOnce(&mut Counters)) -> Counters {
+    let mut counters = Counters::default();
+    change(&mut counters);
+    counters
+}
+
+#[test]
+fn nothing_is_flown_twice() {
+    let mut line = Line::new(Policy::Refuse);
+    let (one, two) = (line.sample(1, 2), line.sample(2, 3));
+    assert_eq!(line.tell(&one), [(2, noticed(|_| ()), "at 0 of 1: 1".into())]);
+    let twice = (2, noticed(|c| c.duplicated = 1), "at 0 of 1: 1".into());
+    assert_eq!(line.tell(&one), [twice]);
+    line.tell(&two);
+    let late = noticed(|c| (c.duplicated, c.late) = (1, 1));
+    assert_eq!(line.tell(&one), [(2, late, "at 0 of 2: 11".into())]);
+    // Asked for again, in a new frame, with one lost before it.
+    let again = line.sample(2, 5);
+    let repeated = Counters { missing: 1, repeated: 1, ..late };
+    assert_eq!(line.tell(&again), [(5, repeated, "at 0 of 2: 11".into())]);
+}
+
+#[test]
+fn a_gap_is_refused_or_bridged() {
+    let mut line = Line::new(Policy::Refuse);
+    let (one, four) = (line.sample(1, 2), line.sample(4, 3));
+    line.tell(&one);
+    assert_eq!(line.tell(&four), [(3, noticed(|_| ()), "Gap at 1".into())]);
+    let two = line.sample(2, 4);
+    assert_eq!(line.tell(&two), [(4, noticed(|_| ()), "at 0 of 2: 11".into())]);
+
+    let mut line = Line::new(Policy::Bridge);
+    line.tell(&one);
+    let bridged = noticed(|c| c.bridged = 2);
+    assert_eq!(line.tell(&four), [(3, bridged, "at 4 of 4: 1001".into())]);
+    // More than are remembered.
+    let far = line.sample(37, 5);
+    let missing = noticed(|c| (c.bridged, c.missing) = (2, 1));
+    assert_eq!(line.tell(&far), [(5, missing, "Gap at 4".into())]);
+    let end = frame(&Request::Finish { samples: 6 }, 6);
+    let held = noticed(|c| (c.bridged, c.missing) = (4, 1));
+    assert_eq!(line.tell(&end), [(6, held, "at 6 of 6: 100100".into())]);
+    let more = line.sample(7, 7);
+    assert_eq!(line.tell(&more), [(7, held, "Finished at 6".into())]);
+}
+
+#[test]
+fn a_gap_is_bridged_along_a_straight_line() {
+    let course = Course::new("manoeuvre", 1.0, 0.5);
+    let samples: Vec<Increment<f32>> = {
+        let mut carried = Carried::default();
+        course.samples[..8].iter().map(|sample| carried.narrow(sample)).collect()
+    };
+    let flown = Flown::configured(Pair::narrow(course.interval_s), 20).unwrap();
+    let mut state = flown.start(&Solution::narrow(&course.initial())).unwrap();
+    let mix = |a: f32, b: f32, part: f32| a + (b - a) * part;
+    for n in 1..=8 {
+        let (before, after) = (samples[1], samples[4]);
+        let sample = match n {
+            3 | 4 => {
+                let part = (n - 2) as f32 / 3.0;
+                Increment {
+                    angle_b: before.angle_b.zip(after.angle_b, |a, b| mix(a, b, part)),
+                    velocity_b: before.velocity_b.zip(after.velocity_b, |a, b| mix(a, b, part)),
+                }
+            }
+            _ => samples[n - 1],
+        };
+        flown.push(&mut state, sample).unwrap();
+    }
+    let mut line = Line::new(Policy::Bridge);
+    let mut solution = Vec::new();
+    for (sequence, number) in (2..).zip([1, 2, 5, 6, 7, 8]) {
+        let frame = line.sample(number, sequence);
+        answers(&said(&mut line.target, &frame), |_, answer| {
+            let Body::Solution(standing) = answer.body else { panic!("{answer:?}") };
+            solution = standing.solution.0.to_vec();
+        });
+    }
+    assert_eq!(solution, scalars::<f32>(flown.output(&state)));
+}
+
+#[test]
+fn what_cannot_be_done_is_refused_by_name() {
+    let mut target = Line::new(Policy::Refuse);
+    let initial = initial::<Flown>(&Course::new("manoeuvre", 1.0, 0.1));
+    let mut other = initial.clone();
+    other[..8].fill(0);
+    let nan = [f32::NAN.to_le_bytes(); 6].concat();
+    let cases = [
+        (Request::Sample { number: 1, increment: Bytes(&[0; 23]) }, "Malformed at 0"),
+        (Request::Sample { number: 1, increment: Bytes(&[0; 25]) }, "Malformed at 0"),
+        (Request::Sample { number: 1, increment: Bytes(&nan) }, "Rejected(Angle) at 0"),
+        (Request::Restore { words: 3, offset: 0, piece: Bytes(&[0; 24]) }, "Malformed at 0"),
+        (start::<Flown>(&other, Policy::Refuse), "Start(Interval) at 0"),
+        (Request::Sample { number: 1, increment: Bytes(&[0; 24]) }, "NotStarted at 0"),
+        (start::<Flown>(&initial[1..], Policy::Refuse), "Malformed at 0"),
+        (
+            start::<Strapdown<LocalLevel<Pair<f32>>, Parabola20>>(&initial, Policy::Refuse),
+            "Configuration at 0",
+        ),
+        (start::<Flown>(&initial, Policy::Refuse), "at 0 of 0: 0"),
+    ];
+    for (sequence, (request, expected)) in (2..).zip(cases) {
+        let heard = target.tell(&frame(&request, sequence));
+        assert_eq!(heard, [(sequence, noticed(|_| ()), expected.into())]);
+    }
+    // What only targets say is no request.
+    let header = Header { kind: Kind::Hello, sequence: 99, time_ns: 0 };
+    let mut buffer = [0; MOST_ENCODED];
+    assert_eq!(target.tell(encode(&header, &mut buffer, |_| ()).unwrap()), []);
+}
+
+#[test]
+fn a_rebooted_target_goes_on_from_a_stored_state() {
+    let course = Course::new("manoeuvre", 1.0, 0.5);
+    let initial = initial::<Flown>(&course);
+    let mut undisturbed = Line::new(Policy::Bridge);
+    let mut stored = Vec::new();
+    for number in 1..=40 {
+        let frame = undisturbed.sample(number, number + 1);
+        undisturbed.tell(&frame);
+        if number == 14 {
+            let mut flight = *undisturbed.target.flight().unwrap();
+            flight.words(&mut |bits| {
+                stored.extend(bits.to_le_bytes());
+                bits
+            });
+        }
+    }
+    let words = (stored.len() / 8) as u16;
+    let mut line = Line::new(Policy::Bridge);
+    assert_eq!(line.tell(&frame(&Request::Reset, 0)), [(0, noticed(|_| ()), "hello".into())]);
+    let sample = line.sample(15, 40);
+    assert_eq!(line.tell(&sample), [(40, noticed(|_| ()), "NotStarted at 0".into())]);
+    line.tell(&frame(&start::<Flown>(&initial, Policy::Bridge), 41));
+    let mut sequence = 41;
+    for (n, piece) in stored.chunks(8 * MOST_WORDS).enumerate() {
+        sequence += 1;
+        let offset = (n * MOST_WORDS) as u16;
+        let request = Request::Restore { words, offset, piece: Bytes(piece) };
+        let heard = line.tell(&frame(&request, sequence));
+        let is_last = offset as usize * 8 + piece.len() == stored.len();
+        let have = offset as usize + piece.len() / 8;
+        let expected =
+            if is_last { "at 12 of 14: 11111111111111" } else { &format!("{have} words") };
+        assert_eq!(heard[0].2, expected);
+        if !is_last {
+            // Half restored, it does not navigate.
+            sequence += 1;
+            let early = line.sample(15, sequence);
+            assert!(line.tell(&early)[0].2.starts_with("NotStarted"));
+        }
+    }
+    for number in 15..=40 {
+        let frame = line.sample(number, sequence + number);
+        line.tell(&frame);
+    }
+    let words = |line: &Line| {
+        let (mut flight, mut words) = (*line.target.flight().unwrap(), Vec::new());
+        flight.words(&mut |bits| {
+            words.push(bits);
+            bits
+        });
+        words
+    };
+    assert_eq!(words(&line), words(&undisturbed));
 }

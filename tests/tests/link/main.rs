@@ -1,4 +1,5 @@
 //! The link: frames that any byte may hit, and the target's application at its end.
 
 mod application;
+mod framing;
 mod session;

@@ -1,6 +1,6 @@
 //! Building and running the audit program for one target.
 
-use super::target::Target;
+use super::target::{Profile, Target};
 use super::tools::{Machine, Toolchain};
 use std::ffi::OsString;
 use std::io::{Read, Seek};
@@ -11,26 +11,27 @@ use std::time::{Duration, Instant};
 /// After this a program that prints nothing more is taken to hang.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// What is to be known of every build.
+/// Where everything is.
 #[derive(Clone, Debug)]
 pub struct Place {
-    /// Where the audit program's sources are.
+    /// The audit program's sources.
     pub program: PathBuf,
-    /// Where targets are built, each in a folder of its own, so that two can be at a time.
+    /// What is built: the images, and cargo's own folders.
     pub builds: PathBuf,
 }
 
 impl Place {
-    /// Builds the program for a target: the image, or the compiler's complaint.
+    /// Builds the program for a target, in one of cargo's folders: the image, or the compiler's complaint.
     pub fn build(
         &self,
         target: &Target,
+        lane: usize,
         machine: &Machine,
         toolchain: &Toolchain,
     ) -> Result<PathBuf, String> {
         let Toolchain { compiler, builds_core, linker } = toolchain;
         let triple = target.triple(machine);
-        let folder = self.builds.join(target.name);
+        let folder = self.builds.join(format!("lane-{lane}"));
         let mut cargo = Command::new(compiler.cargo);
         cargo.current_dir(&self.program).args(["build", "--quiet", "--locked"]);
         cargo
@@ -40,8 +41,8 @@ impl Place {
             cargo.env_remove(name);
         }
         cargo.env("CARGO_ENCODED_RUSTFLAGS", target.flags.join("\u{1f}"));
-        if target.profile.folder() == "release" {
-            cargo.arg("--release").env("CARGO_PROFILE_RELEASE_OPT_LEVEL", target.profile.level());
+        if target.profile == Profile::Release {
+            cargo.arg("--release");
         }
         for setting in target.settings {
             cargo.args(["--config", setting]);
@@ -64,7 +65,14 @@ impl Place {
             _ if target.triple.is_none() => std::env::consts::EXE_SUFFIX,
             _ => "",
         };
-        Ok(folder.join(triple).join(target.profile.folder()).join(format!("audit{ending}")))
+        let built =
+            folder.join(triple).join(target.profile.folder()).join(format!("audit{ending}"));
+        // Rows of one triple would overwrite each other's.
+        let image = self.builds.join("images").join(format!("{}{ending}", target.name));
+        std::fs::create_dir_all(self.builds.join("images"))
+            .and_then(|()| std::fs::copy(&built, &image))
+            .map_err(|error| format!("{}: {error}", built.display()))?;
+        Ok(image)
     }
 
     /// Runs an image: what it prints, or why it doesn't.

@@ -3,7 +3,7 @@
 use super::output::Output;
 use crate::audit::chain::Chain;
 use crate::audit::golden;
-use crate::input::{Complaint, InputError};
+use crate::input::InputError;
 use std::collections::HashMap;
 use std::path::Path;
 

@@ -30,6 +30,10 @@ use tools::Machine;
 
 pub use show::{ended, tables};
 
+/// Folders that cargo builds in, one target after the other in each: a target is always built in the same,
+/// with what others left there.
+const LANES: usize = 2;
+
 /// The whole table.
 #[derive(Clone, Debug, Serialize)]
 pub struct Matrix {
@@ -131,24 +135,28 @@ pub fn matrix(args: &MatrixArgs, done: &(dyn Fn(&Row) + Sync)) -> Result<Matrix,
         builds: builds.unwrap_or_else(|| source.join("target")).join("audit"),
     };
 
-    let next = Mutex::new(targets.iter().enumerate());
     let finished = Mutex::new(Vec::new());
-    let work = || {
-        while let Some((number, target)) = next.lock().ok().and_then(|mut next| next.next()) {
-            let (row, output) = fly(target, &machine, &place);
-            done(&row);
-            if let Ok(mut finished) = finished.lock() {
-                finished.push((number, row, output));
+    let work = |lanes: &[usize]| {
+        for &(number, target) in &targets {
+            let lane = number % LANES;
+            if lanes.contains(&lane) {
+                let (row, output) = fly(&target, lane, &machine, &place);
+                done(&row);
+                if let Ok(mut finished) = finished.lock() {
+                    finished.push((number, row, output));
+                }
             }
         }
     };
     // Most of a build is one long crate, so two at a time keep two processors busy.
-    let processors = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..processors.min(2) {
-            scope.spawn(work);
-        }
-    });
+    if std::thread::available_parallelism().map_or(1, usize::from) < LANES {
+        work(&[0, 1]);
+    } else {
+        std::thread::scope(|scope| {
+            scope.spawn(|| work(&[0]));
+            work(&[1]);
+        });
+    }
     let mut finished = finished.into_inner().unwrap_or_default();
     finished.sort_by_key(|(number, ..)| *number);
     let rows = finished.into_iter().map(|(_, row, output)| (row, output)).collect();
@@ -184,7 +192,7 @@ fn judged(flown: Vec<(Row, Option<Output>)>, stored: &Golden) -> Matrix {
 }
 
 /// Builds and runs one target.
-fn fly(target: &Target, machine: &Machine, place: &Place) -> (Row, Option<Output>) {
+fn fly(target: &Target, lane: usize, machine: &Machine, place: &Place) -> (Row, Option<Output>) {
     let start = Instant::now();
     let mut row = Row {
         target: target.name,
@@ -196,7 +204,7 @@ fn fly(target: &Target, machine: &Machine, place: &Place) -> (Row, Option<Output
         digest: None,
         verdict: Verdict::Equal,
     };
-    let flown = try_to_fly(target, machine, place, &mut row);
+    let flown = try_to_fly(target, lane, machine, place, &mut row);
     row.time_s = start.elapsed().as_secs_f64();
     match flown {
         Ok(output) => (row, Some(output)),
@@ -206,6 +214,7 @@ fn fly(target: &Target, machine: &Machine, place: &Place) -> (Row, Option<Output
 
 fn try_to_fly(
     target: &Target,
+    lane: usize,
     machine: &Machine,
     place: &Place,
     row: &mut Row,
@@ -217,7 +226,7 @@ fn try_to_fly(
         row.runner = tools::version(runner)
             .ok_or_else(|| Verdict::Missing(format!("no {runner}: apt-get install {package}")))?;
     }
-    let image = place.build(target, machine, &toolchain).map_err(Verdict::Failed)?;
+    let image = place.build(target, lane, machine, &toolchain).map_err(Verdict::Failed)?;
     let text = place.run(target, &image).map_err(Verdict::Failed)?;
     Output::parse(text).map_err(Verdict::Failed)
 }
@@ -243,8 +252,8 @@ fn source(given: Option<&Path>) -> Result<PathBuf, InputError> {
     here.ancestors().find(|folder| holds(folder)).map(Path::to_owned).ok_or_else(|| missing(&here))
 }
 
-/// The rows that are asked for, after the first, with which they are compared.
-fn chosen(names: &[String]) -> Result<Vec<Target>, InputError> {
+/// The rows that are asked for, numbered, after the first, with which they are compared.
+fn chosen(names: &[String]) -> Result<Vec<(usize, Target)>, InputError> {
     if let Some(name) = names.iter().find(|name| TARGETS.iter().all(|t| t.name != **name)) {
         let accepted: Vec<_> = TARGETS.iter().map(|target| target.name).collect();
         let complaint = Complaint::new(format!("there is no target {name}"), accepted.join(", "));
@@ -253,5 +262,10 @@ fn chosen(names: &[String]) -> Result<Vec<Target>, InputError> {
     let wanted = |(number, target): &(usize, &Target)| {
         *number == 0 || names.is_empty() || names.iter().any(|name| name == target.name)
     };
-    Ok(TARGETS.iter().enumerate().filter(wanted).map(|(_, target)| *target).collect())
+    Ok(TARGETS
+        .iter()
+        .enumerate()
+        .filter(wanted)
+        .map(|(number, target)| (number, *target))
+        .collect())
 }

@@ -9,7 +9,7 @@ pub struct Target {
     pub name: &'static str,
     /// The compiler's name of it; absent where it is this machine.
     pub triple: Option<&'static str>,
-    /// The folder of cargo's profile, and the optimisation level.
+    /// How much is optimised.
     pub profile: Profile,
     /// Options of the compiler.
     pub flags: &'static [&'static str],
@@ -26,27 +26,27 @@ pub struct Target {
 /// How much is optimised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Profile {
-    /// Nothing: opt-level 0.
+    /// Nothing.
     Debug,
-    /// opt-level 3.
+    /// All that can be.
     Release,
-    /// opt-level 1, which is compiled in half the time.
-    Quick,
 }
 
 impl Profile {
-    /// The level.
+    /// The compiler's level of optimisation.
     pub fn level(self) -> &'static str {
         match self {
             Self::Debug => "0",
-            Self::Quick => "1",
             Self::Release => "3",
         }
     }
 
     /// The folder that cargo builds into.
     pub fn folder(self) -> &'static str {
-        if self == Self::Debug { "debug" } else { "release" }
+        match self {
+            Self::Debug => "debug",
+            Self::Release => "release",
+        }
     }
 }
 
@@ -91,8 +91,7 @@ const fn other(
     runner: &'static [&'static str],
     package: &'static str,
 ) -> Target {
-    let profile = Profile::Quick;
-    Target { name: triple, triple: Some(triple), profile, features: "", runner, package, ..MACHINE }
+    Target { name: triple, triple: Some(triple), features: "", runner, package, ..MACHINE }
 }
 
 /// Every row; the first is what the others are compared with.
@@ -106,10 +105,7 @@ pub const TARGETS: [Target; 12] = [
         features: "std,schuler/std",
         ..MACHINE
     },
-    Target {
-        profile: Profile::Release,
-        ..other("thumbv7em-none-eabihf", QEMU_M4, "qemu-system-arm")
-    },
+    other("thumbv7em-none-eabihf", QEMU_M4, "qemu-system-arm"),
     other("thumbv7em-none-eabi", QEMU_M4, "qemu-system-arm"),
     other("thumbv6m-none-eabi", QEMU_M3, "qemu-system-arm"),
     other("riscv32imac-unknown-none-elf", &["qemu-riscv32"], "qemu-user"),

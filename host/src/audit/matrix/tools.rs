@@ -100,10 +100,12 @@ impl Compiler {
     }
 }
 
-/// The first line of what a program says of its version; `None` if there is no such program.
+/// A program's name and version, as it tells them; `None` if there is no such program.
 pub fn version(program: &str) -> Option<String> {
     let text = output(Command::new(program).arg("--version"))?;
-    Some(text.lines().next().unwrap_or_default().trim().to_owned())
+    let mut words = text.split_whitespace().map(|word| word.trim_start_matches('v'));
+    let number = words.find(|word| word.starts_with(|c: char| c.is_ascii_digit()));
+    Some(format!("{program} {}", number.unwrap_or_default()))
 }
 
 /// The standard output of a program that succeeds.

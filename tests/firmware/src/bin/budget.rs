@@ -97,8 +97,17 @@ fn measure() -> Result<(), Fault> {
         black_box(motion.sample(BEFORE + n));
     }
     let counts = counter.between(from, counter.now());
-    defmt::println!("f64 perfect increments, per sample = {=f64}", counter.worth(counts.into()) / 8.0);
+    defmt::println!(
+        "f64 perfect increments, per sample = {=f64}",
+        counter.worth(counts.into()) / 8.0
+    );
     Ok(())
+}
+
+/// A navigator in the middle of the flight, and the samples that come next.
+struct UnderWay<M: Mechanization> {
+    state: M::State,
+    samples: [Increment<M::Real>; SAMPLES],
 }
 
 /// The paper's motion.
@@ -123,7 +132,7 @@ impl Motion {
     fn under_way<M: Mechanization<Real: Scalar>>(
         &self,
         mechanization: &M,
-    ) -> Result<(M::State, [Increment<M::Real>; SAMPLES]), Fault> {
+    ) -> Result<UnderWay<M>, Fault> {
         let initial = Solution::narrow(&self.course.at(0.0).initial());
         let mut state = mechanization.start(&initial)?;
         let mut carried = Carried::default();
@@ -134,7 +143,7 @@ impl Motion {
         for (sample, n) in samples.iter_mut().zip(BEFORE + 1..) {
             *sample = carried.narrow(&self.sample(n));
         }
-        Ok((state, samples))
+        Ok(UnderWay { state, samples })
     }
 }
 
@@ -159,7 +168,7 @@ fn mechanization<M: Mechanization<Real: Scalar>>(
     motion: &Motion,
     counter: &Counter,
 ) -> Result<(), Fault> {
-    let (under_way, samples) = motion.under_way(mechanization)?;
+    let UnderWay { state: under_way, samples } = motion.under_way(mechanization)?;
     let mut state = under_way;
     let from = counter.now();
     fly(mechanization, &mut state, &samples)?;
@@ -183,7 +192,7 @@ fn spread<M: Mechanization<Real = f32>>(
     motion: &Motion,
     counter: &Counter,
 ) -> Result<(), Fault> {
-    let (under_way, _) = motion.under_way(mechanization)?;
+    let under_way = motion.under_way(mechanization)?.state;
     let mut stream = Stream::new(SEED, 0, 0);
     let (mut sum, mut worst) = (0u64, 0u32);
     for _ in 0..BLOCKS {
@@ -220,7 +229,7 @@ fn error_terms<R: Deviate>(name: &str, motion: &Motion, counter: &Counter) -> Re
     for _ in 0..SENSOR_ROUNDS {
         let from = counter.now();
         for _ in 0..SAMPLES {
-            black_box(sensors.emulate(&mut state, black_box(&perfect)));
+            black_box(&sensors.emulate(&mut state, black_box(&perfect)));
         }
         counts += u64::from(counter.between(from, counter.now()));
     }

@@ -18,7 +18,7 @@ use schuler::strapdown::window::{H0B4A0, Window as _};
 use schuler::trajectory::Trajectory as _;
 use schuler::trajectory::harmonic::TooManyHarmonics;
 use schuler_firmware::board::{self, Counter, entry, stack::Painted};
-use schuler_firmware::navigation::{Navigation, planned};
+use schuler_firmware::navigation::{Navigation, larger, planned};
 use schuler_firmware::paper::{self, RATE_HZ, SEED, time_s};
 
 // What a test may set otherwise in the image: the runner's `--set`.
@@ -108,7 +108,7 @@ fn fly() -> Result<bool, Fault> {
         perfect_precise.push(&counter, &perfect)?;
         paper_single.push(&counter, &sensed)?;
         paper_double.push(&counter, &sensed)?;
-        if sample as usize % H0B4A0::BLOCK == 0 {
+        if (sample as usize).is_multiple_of(H0B4A0::BLOCK) {
             let truth = course.at(time_s(sample)).solution();
             perfect_single.compare(&truth);
             perfect_precise.compare(&truth);
@@ -116,7 +116,7 @@ fn fly() -> Result<bool, Fault> {
             paper_double.compare(&truth);
             let between = drift(&paper_single.solution(), &paper_double.solution());
             let between_m = between.position_ned.norm();
-            apart_m = if between_m <= apart_m { apart_m } else { between_m };
+            apart_m = larger(between_m, apart_m);
         }
     }
     defmt::println!("samples = {=u32}", samples);

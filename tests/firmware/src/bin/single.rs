@@ -9,27 +9,48 @@ use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::navigator::Strapdown;
+use schuler::strapdown::mechanization::{Rejected, StartError};
+use schuler::strapdown::navigator::{State, Strapdown};
 use schuler::strapdown::window::H0B4A0;
+use schuler_firmware::application;
 use schuler_firmware::board::entry;
+
+type Frame = LocalLevel<Pair<f32>>;
+
+/// The order of the series that slow motion is planned with, the paper's among it.
+const ORDER: usize = 3;
+
+/// What is done once.
+#[inline(never)]
+fn start(strapdown: &Strapdown<Frame, H0B4A0>) -> Result<State<Frame, H0B4A0>, StartError> {
+    strapdown.start(&black_box(Solution::default()))
+}
+
+/// What is done for every sample: its size is that of a step.
+#[inline(never)]
+fn every_sample(
+    strapdown: &Strapdown<Frame, H0B4A0>,
+    state: &mut State<Frame, H0B4A0>,
+    sample: Increment<f32>,
+) -> Result<(), Rejected> {
+    strapdown.with_order(ORDER).push(state, sample)
+}
 
 #[entry]
 fn main() -> ! {
-    let interval_s = black_box(Pair::new(0.05_f32));
-    let strapdown = Strapdown::<LocalLevel<Pair<f32>>, H0B4A0>::new(interval_s);
-    if let Ok(strapdown) = strapdown
-        && let Ok(mut state) = strapdown.start(&black_box(Solution::default()))
+    if let Ok(strapdown) = Strapdown::new(black_box(Pair::new(0.05)))
+        && let Ok(mut state) = start(&strapdown)
     {
         loop {
-            let sample = black_box(Increment::<f32>::default());
-            black_box(strapdown.push(&mut state, sample)).ok();
+            let taken = every_sample(&strapdown, &mut state, black_box(Increment::default()));
+            black_box(taken.is_ok());
             black_box(state.output());
         }
     }
-    loop {}
+    application::stop()
 }
 
 #[panic_handler]
 fn panicked(_: &core::panic::PanicInfo) -> ! {
-    loop {}
+    application::stop()
 }

@@ -4,9 +4,9 @@ use ::cortex_m::Peripherals;
 use ::cortex_m::interrupt::InterruptNumber;
 #[cfg(feature = "dwt")]
 use ::cortex_m::peripheral::DWT;
+use ::cortex_m::peripheral::NVIC;
 #[cfg(not(feature = "dwt"))]
 use ::cortex_m::peripheral::{SYST, syst::SystClkSource};
-use ::cortex_m::peripheral::NVIC;
 pub use cortex_m_rt::entry;
 use cortex_m_rt::exception;
 

@@ -59,7 +59,8 @@ impl Painted {
     pub fn used(&self) -> usize {
         let mut places = (self.bottom..self.top).step_by(4);
         // SAFETY: the stack is readable memory, and aligned.
-        let first = places.find(|&place| unsafe { ptr::read_volatile(place as *const u32) } != PAINT);
+        let first =
+            places.find(|&place| unsafe { ptr::read_volatile(place as *const u32) } != PAINT);
         self.top - first.unwrap_or(self.top)
     }
 }

@@ -1,0 +1,39 @@
+//! `schuler hil`: a target and its twin in step, with and without faults on the line between them.
+
+mod bits;
+mod command;
+mod devices;
+mod difference;
+mod million;
+
+use schuler_host::flight::Flight;
+use schuler_host::hil::channel::Channel;
+use schuler_host::hil::faults::Rates;
+use schuler_host::hil::lockstep::{Ended, Log};
+use schuler_host::hil::{self, Manner};
+use schuler_host::scene::{Scene, builtin};
+use schuler_host::simulate::FlightError;
+
+/// A built-in scene of some seconds.
+fn scene(name: &str, seconds: f64) -> Scene {
+    let mut scene = builtin::scene(name).unwrap();
+    scene.duration_s = seconds;
+    scene
+}
+
+/// With faults, by seed.
+fn manner(faults: &str, seed: u64, retries: u32) -> Manner {
+    Manner { retries, faults: Some((Rates::parse(faults).unwrap(), seed)), stream: false }
+}
+
+/// Flies a scene with a target, and what happened on the link.
+fn fly(
+    scene: &Scene,
+    channel: impl Channel + 'static,
+    manner: &Manner,
+) -> (Result<Flight, FlightError>, Ended) {
+    let log = Log::default();
+    let flown = hil::fly(scene, Box::new(channel), manner, &log, &mut |_| Ok(()), &|_| ());
+    let ended = log.lock().unwrap().clone();
+    (flown, ended)
+}

@@ -37,7 +37,7 @@ pub struct HilArgs {
     /// Seed of the faults
     #[arg(long, value_name = "N", default_value = "1", requires = "faults")]
     pub fault_seed: u64,
-    /// How often what is not answered is sent again
+    /// How often a sample that is not answered is sent again before it is given up
     #[arg(long, value_name = "N", default_value = "5")]
     pub retries: u32,
     /// Folder for summary.json, drift.csv, drift.png and report.html [default: out/ and the name of the scene]

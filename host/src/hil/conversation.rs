@@ -10,10 +10,14 @@ use schuler::link::message::{Answer, Body, Request};
 use schuler::link::refusal::Refusal;
 use schuler::link::sequence::{Arrival, Sequence};
 use std::collections::VecDeque;
+use std::ops::RangeInclusive;
 use std::time::Duration;
 
 /// How long an answer is waited for: far longer than any takes.
 pub const PATIENCE: Duration = Duration::from_secs(5);
+
+/// How often what a flight cannot do without is sent again, at least.
+const INSISTING: u32 = 10;
 
 /// What came of a request.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,8 +76,8 @@ pub struct Conversation {
     boots: Vec<u32>,
     /// What the target has noticed since its last boot.
     noticed: Counters,
-    /// Frames of requests that were given up, whose answers may still come.
-    given_up: Vec<u32>,
+    /// The frames of each request that was given up, whose answers may still come.
+    given_up: Vec<RangeInclusive<u32>>,
     tally: Tally,
 }
 
@@ -81,13 +85,15 @@ pub struct Conversation {
 struct Heard {
     answers: u32,
     is_new: bool,
+    /// It answers a frame that a later one had overtaken.
+    is_of_late: bool,
     is_new_boot: bool,
     sequence: u32,
     reply: Reply,
 }
 
 impl Conversation {
-    /// Over a channel; a request is sent again so many times.
+    /// Over a channel; a sample is sent again so many times.
     pub fn new(channel: Box<dyn Channel>, retries: u32) -> Self {
         Self {
             channel,
@@ -128,6 +134,11 @@ impl Conversation {
         self.ask_again(&Request::Greet, 0, 1)
     }
 
+    /// Asks what a flight cannot do without.
+    pub fn insist(&mut self, request: &Request, time_ns: u64) -> Result<Outcome, Broken> {
+        self.ask_again(request, time_ns, self.retries.max(INSISTING))
+    }
+
     /// Asks, and waits for the answer.
     pub fn ask(&mut self, request: &Request, time_ns: u64) -> Result<Outcome, Broken> {
         self.ask_again(request, time_ns, self.retries)
@@ -154,14 +165,15 @@ impl Conversation {
                     return Ok(Outcome::Rebooted);
                 }
                 if is_answer && heard.is_new {
-                    self.tally.answered(attempt, heard.answers != self.sent);
+                    let is_overdue = heard.answers != self.sent && !heard.is_of_late;
+                    self.tally.answered(attempt, is_overdue);
                     return Ok(Outcome::Answered(heard.reply));
                 }
                 self.note(&heard);
             }
             self.tally.timeouts += 1;
         }
-        self.given_up.extend(first..=self.sent);
+        self.given_up.push(first..=self.sent);
         Ok(Outcome::Silence)
     }
 
@@ -196,10 +208,12 @@ impl Conversation {
                 let is_present = self.boots.last() == Some(&boot);
                 let is_new = is_present
                     && self.received.arrive(sequence, &mut self.tally.host) == Arrival::New;
+                let is_of_late = is_new && counters.late != self.noticed.late;
                 if is_new {
                     self.noticed = counters;
                 }
-                return Ok(Some(Heard { answers, is_new, is_new_boot, sequence, reply }));
+                let heard = Heard { answers, is_new, is_of_late, is_new_boot, sequence, reply };
+                return Ok(Some(heard));
             }
             let mut bytes = Vec::new();
             self.channel.receive(&mut bytes, PATIENCE)?;
@@ -235,13 +249,13 @@ impl Conversation {
         if !heard.is_new || heard.answers == 0 {
             return;
         }
-        let given_up = self.given_up.iter().position(|&number| number == heard.answers);
+        let given_up = self.given_up.iter().position(|frames| frames.contains(&heard.answers));
         match given_up {
-            Some(place) => {
+            Some(place) if !heard.is_of_late => {
                 self.given_up.swap_remove(place);
                 self.tally.overdue += 1;
             }
-            None => self.tally.surplus += 1,
+            _ => self.tally.surplus += 1,
         }
     }
 }

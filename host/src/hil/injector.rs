@@ -1,9 +1,10 @@
 //! A channel on which things go wrong, by seed: the same faults every time.
 //!
 //! It knows how many answers are due, and reports silence at once where none is: nobody waits for a
-//! frame that it swallowed, and the clock has no say in what happens. Every fault can be told from
-//! every other by its traces: no frame is hit twice, no answer to a frame that was hit, and what keeps
-//! frames waiting happens once to a request, however often it is sent again.
+//! frame that it swallowed, and the clock has no say in what happens. Every fault leaves its own trace:
+//! of a request that was hit the answer is not, nor is an answer that nobody waits for; what keeps frames
+//! waiting happens once to a request, however often it is sent again; and a target is rebooted when all
+//! that it has noticed is known.
 
 use super::channel::{Broken, Channel};
 use super::faults::{Fault, Injected, Rates};
@@ -11,7 +12,7 @@ use schuler::link::decoder::Decoder;
 use schuler::link::frame::{Header, MOST_ENCODED, encode};
 use schuler::link::message::{Answer, Kind, Request};
 use schuler::noise::{Stream, Streams};
-use std::collections::{HashSet, VecDeque};
+use std::collections::VecDeque;
 use std::time::Duration;
 
 /// Frames that a stalled target lets wait after the first.
@@ -29,14 +30,18 @@ pub struct Injector<C> {
     overtaken: Vec<Vec<u8>>,
     /// Frames that a stalled target still lets wait.
     stalled: u32,
-    /// Sequence numbers of requests that were hit.
-    hit: HashSet<u32>,
+    /// Sequence number of the last request, and whether it was hit.
+    newest: u32,
+    is_hit: bool,
+    /// Whether the host may not know yet of something that was hit.
+    is_untold: bool,
     /// The last request, its sequence number apart, and whether something has kept it waiting.
     request: (Kind, Vec<u8>),
     has_waited: bool,
     /// Answers that are due.
     due: u64,
-    /// Bytes from the target before they make a frame.
+    /// Bytes from the target that nobody has asked for, and those that begin a frame.
+    unread: VecDeque<u8>,
     from_target: Cutter,
     /// Answers for the host: now, after the next request, after the next answer.
     ready: VecDeque<u8>,
@@ -56,10 +61,13 @@ impl<C: Channel> Injector<C> {
             waiting: Vec::new(),
             overtaken: Vec::new(),
             stalled: 0,
-            hit: HashSet::new(),
+            newest: 0,
+            is_hit: false,
+            is_untold: false,
             request: (Kind::Greet, Vec::new()),
             has_waited: false,
             due: 0,
+            unread: VecDeque::new(),
             from_target: Cutter::default(),
             ready: VecDeque::new(),
             late: Vec::new(),
@@ -92,7 +100,8 @@ impl<C: Channel> Injector<C> {
             Fault::Delay | Fault::Stall => !self.has_waited,
             Fault::Reboot => {
                 let nothing_comes = self.overtaken_answers.is_empty() && self.due == 0;
-                !self.has_waited && is_quiet && nothing_comes && header.kind == Kind::Sample
+                let is_known = is_quiet && nothing_comes && !self.is_untold;
+                !self.has_waited && is_known && header.kind == Kind::Sample
             }
             _ => true,
         };
@@ -103,9 +112,13 @@ impl<C: Channel> Injector<C> {
 
     /// Passes a frame on to the host, whole or not.
     fn answer(&mut self, bytes: Vec<u8>) {
-        let fault = self.pick_for_answer(&bytes);
+        let answers = answers(&bytes);
+        let fault = self.pick_for_answer(answers);
         if let Some(fault) = fault {
             self.injected.count(fault, false);
+            self.is_untold = true;
+        } else if answers == Some(self.newest) && !self.is_hit {
+            self.is_untold = false;
         }
         match fault {
             None => self.ready.extend(&bytes),
@@ -125,21 +138,19 @@ impl<C: Channel> Injector<C> {
         self.ready.extend(self.overtaken_answers.drain(..));
     }
 
-    fn pick_for_answer(&mut self, bytes: &[u8]) -> Option<Fault> {
-        let mut decoder = Decoder::default();
-        let answers = bytes.iter().find_map(|&byte| {
-            let frame = decoder.take(byte)?;
-            Some(Answer::read(&frame)?.answers)
-        })?;
-        // What is sent unasked is let through.
-        if !self.is_armed || answers == 0 || self.hit.contains(&answers) {
+    fn pick_for_answer(&mut self, answers: Option<u32>) -> Option<Fault> {
+        if !self.is_armed || self.is_hit || answers != Some(self.newest) {
             return None;
         }
         let fault = self.rates.pick(self.random.uniform(), Fault::OF_ANSWERS)?;
-        if fault == Fault::Delay && std::mem::replace(&mut self.has_waited, true) {
-            return None;
+        if fault == Fault::Delay {
+            // What else is due would overtake it.
+            if self.due > 0 || self.has_waited {
+                return None;
+            }
+            self.has_waited = true;
         }
-        self.hit.insert(answers);
+        self.is_hit = true;
         Some(fault)
     }
 
@@ -163,11 +174,6 @@ impl<C: Channel> Injector<C> {
 impl<C: Channel> Channel for Injector<C> {
     fn send(&mut self, frame: &[u8]) -> Result<(), Broken> {
         self.ready.extend(self.late.drain(..));
-        if self.stalled > 0 {
-            self.stalled -= 1;
-            self.waiting.push(frame.to_vec());
-            return Ok(());
-        }
         let mut decoder = Decoder::default();
         let whole = frame.iter().find_map(|&byte| {
             let frame = decoder.take(byte)?;
@@ -178,13 +184,21 @@ impl<C: Channel> Channel for Injector<C> {
         if self.request != request {
             self.request = request;
             self.has_waited = false;
+            self.stalled = 0;
+        }
+        (self.newest, self.is_hit) = (header.sequence, false);
+        if self.stalled > 0 {
+            self.stalled -= 1;
+            self.is_hit = true;
+            self.waiting.push(frame.to_vec());
+            return Ok(());
         }
         for frame in std::mem::take(&mut self.waiting) {
             self.pass(&frame)?;
         }
         let Some(fault) = self.pick_for_request(&header) else { return self.pass(frame) };
         self.injected.count(fault, true);
-        self.hit.insert(header.sequence);
+        (self.is_hit, self.is_untold) = (true, true);
         match fault {
             Fault::Drop => {}
             Fault::Duplicate => {
@@ -214,18 +228,21 @@ impl<C: Channel> Channel for Injector<C> {
     }
 
     fn receive(&mut self, into: &mut Vec<u8>, patience: Duration) -> Result<(), Broken> {
+        // One at a time: what comes is looked at when it is asked for, not when it happens to come.
         while self.ready.is_empty() && self.due > 0 {
+            if let Some(byte) = self.unread.pop_front() {
+                if let Some(frame) = self.from_target.take(byte) {
+                    self.due -= 1;
+                    self.answer(frame);
+                }
+                continue;
+            }
             let mut bytes = Vec::new();
             self.channel.receive(&mut bytes, patience)?;
             if bytes.is_empty() {
                 break;
             }
-            for byte in bytes {
-                if let Some(frame) = self.from_target.take(byte) {
-                    self.due = self.due.saturating_sub(1);
-                    self.answer(frame);
-                }
-            }
+            self.unread.extend(bytes);
         }
         into.extend(self.ready.drain(..));
         Ok(())
@@ -239,6 +256,15 @@ impl<C: Channel> Channel for Injector<C> {
         self.is_armed = false;
         self.stalled = 0;
     }
+}
+
+/// The sequence number of the frame that an answer answers.
+fn answers(bytes: &[u8]) -> Option<u32> {
+    let mut decoder = Decoder::default();
+    bytes.iter().find_map(|&byte| {
+        let frame = decoder.take(byte)?;
+        Some(Answer::read(&frame)?.answers)
+    })
 }
 
 /// The frame that makes a target forget everything.

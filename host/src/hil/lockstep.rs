@@ -84,7 +84,7 @@ impl Lockstep {
     /// Starts the target.
     fn begin(&mut self) -> Result<Reply, Parted> {
         for _ in 0..MOST_REBOOTS {
-            match self.conversation.ask(&Request::Start(self.beginning.start()), 0)? {
+            match self.conversation.insist(&Request::Start(self.beginning.start()), 0)? {
                 Outcome::Answered(reply) => return Ok(reply),
                 Outcome::Silence => return Err(Parted::Silence("its start")),
                 Outcome::Rebooted => {}
@@ -96,7 +96,12 @@ impl Lockstep {
     /// Asks, and puts a target that was switched off and on back to where its twin stands.
     fn ask(&mut self, request: &Request) -> Result<Option<Reply>, Parted> {
         for _ in 0..MOST_REBOOTS {
-            match self.conversation.ask(request, self.time_ns())? {
+            let time_ns = self.time_ns();
+            let outcome = match request {
+                Request::Sample { .. } => self.conversation.ask(request, time_ns)?,
+                _ => self.conversation.insist(request, time_ns)?,
+            };
+            match outcome {
                 Outcome::Answered(reply) => return Ok(Some(reply)),
                 Outcome::Silence => return Ok(None),
                 Outcome::Rebooted => self.restore()?,
@@ -110,7 +115,7 @@ impl Lockstep {
         let words = self.twin.words();
         let all = (words.len() / 8) as u16;
         'again: for _ in 0..MOST_REBOOTS {
-            match self.conversation.ask(&Request::Start(self.beginning.start()), 0)? {
+            match self.conversation.insist(&Request::Start(self.beginning.start()), 0)? {
                 Outcome::Answered(Reply::Standing(_)) => {}
                 Outcome::Answered(_) => return Err(Parted::Answer("its start")),
                 Outcome::Silence => return Err(Parted::Silence("its start")),
@@ -119,7 +124,7 @@ impl Lockstep {
             for (n, piece) in words.chunks(8 * MOST_WORDS).enumerate() {
                 let offset = (n * MOST_WORDS) as u16;
                 let request = Request::Restore { words: all, offset, piece: Bytes(piece) };
-                match self.conversation.ask(&request, self.time_ns())? {
+                match self.conversation.insist(&request, self.time_ns())? {
                     Outcome::Answered(Reply::Restoring(_)) => {}
                     Outcome::Answered(Reply::Standing(standing)) => {
                         return self.compare(&standing);

@@ -51,7 +51,7 @@ const GREETINGS: u32 = 3;
 /// How a flight is flown in step with a target.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Manner {
-    /// How often a request is sent again.
+    /// How often a sample is sent again before it is given up.
     pub retries: u32,
     /// Faults to put in, and their seed.
     pub faults: Option<(Rates, u64)>,

@@ -15,7 +15,10 @@ fn refused(arguments: &[&str]) -> String {
 #[test]
 fn targets_and_folders_that_are_not_there() {
     let error = refused(&["--target", "vax"]);
-    assert!(error.contains("--target: there is no target vax; accepted: release, debug"), "{error}");
+    assert!(
+        error.contains("--target: there is no target vax; accepted: release, debug"),
+        "{error}"
+    );
     let empty = tempfile::tempdir().expect("a folder");
     let empty = empty.path().display().to_string();
     let error = refused(&["--source", &empty]);

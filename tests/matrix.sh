@@ -4,6 +4,7 @@
 #   tests/matrix.sh [OPTION …]    options of `schuler audit matrix`
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. tests/target.sh
 
 schuler=${SCHULER:-cargo run --quiet --release --locked --}
 packages=()
@@ -11,7 +12,7 @@ has() { command -v "$1" >/dev/null; }
 has qemu-system-arm || packages+=(qemu-system-arm)
 has qemu-aarch64 || packages+=(qemu-user)
 has node || packages+=(nodejs)
-has ld.lld || packages+=(lld)
+[ -n "$(bare_linker)" ] || packages+=(lld)
 has llvm-objdump && has llvm-mc || packages+=(llvm)
 [ -x /usr/bin/rustc ] && [ -x /usr/bin/cargo ] && [ -d /usr/lib/rustlib/src/rust/library ] ||
     packages+=(rustc-web cargo-web rust-web-src)

@@ -7,10 +7,12 @@
 //! | `build` | building and running |
 //! | `output` | the digests that are printed |
 //! | `golden` | the digests that are stored |
+//! | `judge` | the rows compared |
 //! | `show` | the table |
 
 mod build;
 mod golden;
+mod judge;
 mod output;
 mod show;
 mod target;
@@ -160,35 +162,7 @@ pub fn matrix(args: &MatrixArgs, done: &(dyn Fn(&Row) + Sync)) -> Result<Matrix,
     let mut finished = finished.into_inner().unwrap_or_default();
     finished.sort_by_key(|(number, ..)| *number);
     let rows = finished.into_iter().map(|(_, row, output)| (row, output)).collect();
-    Ok(judged(rows, &stored))
-}
-
-/// Compares every row with the first and with what is stored.
-fn judged(flown: Vec<(Row, Option<Output>)>, stored: &Golden) -> Matrix {
-    let first = flown.iter().find_map(|(_, output)| output.clone());
-    let mut rows = Vec::new();
-    for (mut row, output) in flown {
-        if let (Some(first), Some(output)) = (&first, &output) {
-            let is_first = rows.iter().all(|row: &Row| row.digest.is_none());
-            row.digest = Some(output.digest());
-            row.verdict = match (first.parts(output), stored.parts(output)) {
-                (Some(place), _) => Verdict::Parts(place),
-                (None, Some(place)) => Verdict::PartsFromGolden(place),
-                (None, None) if is_first => Verdict::First,
-                (None, None) => Verdict::Equal,
-            };
-        }
-        rows.push(row);
-    }
-    let ends = first.iter().flat_map(Output::lines).filter(|line| line.sample.starts_with('='));
-    let flights = ends.map(|line| Flight {
-        flight: line.flight.to_owned(),
-        stage: line.stage.to_owned(),
-        samples: line.sample.trim_start_matches('=').to_owned(),
-        digest: line.digest.to_owned(),
-    });
-    let flights = flights.collect();
-    Matrix { rows, flights, golden: first.map_or(0, |first| stored.held(&first)) }
+    Ok(judge::judged(rows, &stored))
 }
 
 /// Builds and runs one target.

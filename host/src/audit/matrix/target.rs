@@ -139,6 +139,9 @@ impl Target {
         for flag in self.flags.iter().filter(|flag| flag.contains("target-cpu")) {
             options += &format!(", {}", flag.trim_start_matches("-C"));
         }
+        for setting in self.settings {
+            options += &format!(", {}", setting.trim_start_matches("profile.release.package."));
+        }
         if self.features.contains("schuler/std") {
             options += ", core's std";
         }

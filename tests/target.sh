@@ -3,6 +3,13 @@
 
 target=thumbv7em-none-eabihf
 
+# The linker of targets without an operating system: rustup's own, or Debian's.
+bare_linker() {
+    local own
+    own=$(rustc --print sysroot 2>/dev/null)/lib/rustlib/x86_64-unknown-linux-gnu/bin/rust-lld
+    if [ -x "$own" ]; then echo "$own"; else command -v ld.lld; fi
+}
+
 # Installs what is missing, as far as this machine lets us.
 prepare_target() {
     if rustc --print target-libdir --target "$target" 2>/dev/null | xargs -r test -d 2>/dev/null; then
@@ -13,7 +20,7 @@ prepare_target() {
     fi
     if [ ! -x /usr/bin/cargo ] && command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; then
         apt-get update -qq >/dev/null &&
-            apt-get install -y -qq --no-install-recommends rustc-web cargo-web rust-web-src >/dev/null
+            apt-get install -y -qq --no-install-recommends rustc-web cargo-web rust-web-src lld >/dev/null
     fi
 }
 
@@ -28,7 +35,10 @@ build_package() {
     if rustc --print target-libdir --target "$target" 2>/dev/null | xargs -r test -d; then
         cargo "${arguments[@]}"
     elif [ -x /usr/bin/cargo ] && [ -x /usr/bin/rustc ]; then
-        RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo "${arguments[@]}" -Z build-std=core
+        local linker
+        linker=CARGO_TARGET_$(tr 'a-z.-' 'A-Z__' <<<"$target")_LINKER
+        env "$linker=$(bare_linker)" RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 \
+            /usr/bin/cargo "${arguments[@]}" -Z build-std=core
     else
         return 1
     fi

@@ -64,6 +64,16 @@ where
     }
 }
 
+/// Samples with a carried rest.
+fn narrow<R: Scalar>(samples: &[Increment<f64>], carried: &mut Carried) -> Vec<Increment<R>> {
+    samples.iter().map(|sample| carried.narrow(sample)).collect()
+}
+
+/// Hands rows on in double precision. One type for all uses: each is a copy of the navigator.
+fn wide<R: Scalar, O: Output<R>>(read: &mut Reader) -> impl FnMut(u64, O) {
+    move |n, row: O| read(n, &row.wide())
+}
+
 /// Takes a sample, and reads the rows that it completes: once for each mechanization, whoever flies it.
 #[inline(never)]
 pub fn push<M: Mechanization<Real: Scalar>>(
@@ -72,7 +82,7 @@ pub fn push<M: Mechanization<Real: Scalar>>(
     sample: Increment<M::Real>,
     read: &mut Reader,
 ) -> Result<(), Rejected> {
-    mechanization.push_rows(state, sample, |n, row| read(n, &row.wide()))
+    mechanization.push_rows(state, sample, wide(read))
 }
 
 /// Completes the rows that wait for samples, and reads them.
@@ -82,7 +92,7 @@ pub fn finish<M: Mechanization<Real: Scalar>>(
     state: &mut M::State,
     read: &mut Reader,
 ) {
-    mechanization.finish_rows(state, |n, row| read(n, &row.wide()));
+    mechanization.finish_rows(state, wide(read));
 }
 
 /// Takes samples without reading a row; stops before one that is refused.
@@ -116,7 +126,7 @@ where
     }
 
     fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), lanes::Refused> {
-        let samples: Vec<_> = samples.iter().map(|sample| self.carried.narrow(sample)).collect();
+        let samples = narrow(samples, &mut self.carried);
         fly(&self.mechanization, &mut self.state, &samples)
     }
 
@@ -143,8 +153,7 @@ where
     }
 
     fn fly_unread(&self, samples: &[Increment<f64>]) -> Box<dyn FnMut() + '_> {
-        let mut carried = Carried::default();
-        let samples: Vec<_> = samples.iter().map(|s| carried.narrow::<M::Real>(s)).collect();
+        let samples = narrow(samples, &mut Carried::default());
         Box::new(move || {
             if let Ok(mut state) = self.mechanization.start(&self.initial) {
                 // What cannot be right was refused in the run itself.

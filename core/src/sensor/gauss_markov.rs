@@ -51,7 +51,7 @@ impl<R: Deviate> Process<R> {
     /// Advances the value by the interval, and returns its integral over it.
     #[inline(always)]
     pub fn advance(&self, value: &mut R, stream: &mut Stream) -> R {
-        let (first, second): (R, R) = (stream.normal(), stream.normal());
+        let (first, second): (R, R) = stream.normal_pair();
         // ∫b = Tu b₀ + σTu²/√(u(2−u))·z₁ + σT√(2x − 4tanh(x/2))·z₂
         let integral = self.integral * *value + (self.coupled * first + self.independent * second);
         // b₁ = b₀ − u b₀ + σ√(u(2−u))·z₁: in single precision 1 − u would lose u's digits
@@ -125,7 +125,7 @@ impl<R: Deviate> ErrorTerm<R> for GaussMarkov<R> {
         state
     }
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
         let GaussMarkovState { bias, streams } = state;
         let outputs = reading.increment.each_mut().into_iter().zip(bias.each_mut());

@@ -155,11 +155,12 @@ impl Table {
             let sign = if (p - m).is_multiple_of(2) { 1 } else { -1 };
             let mut scale = sign * binomial;
             let mut k = 0;
-            while k < p {
+            // What exceeds the table's size cannot be, but the compiler would have to know.
+            while k < p && k < MOST_SAMPLES {
                 scale *= b as i128;
                 let share = scale * product[k + 1] * (k + 1) as i128;
                 let mut j = 0;
-                while j < m {
+                while j < m && j < MOST_SAMPLES {
                     numerators[k][j] += share;
                     j += 1;
                 }

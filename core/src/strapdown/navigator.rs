@@ -198,13 +198,13 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         if let Some((body, series)) =
             W::integrate::<R>(window, self.block.half, self.order, F::TWO_FLOAT)
         {
-            self.step(state, &self.block, W::BLOCK, &body, &series, read);
+            self.step::<false, _>(state, &self.block, W::BLOCK, &body, &series, read);
         }
     }
 
     /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads.
     #[inline(always)]
-    fn step<Q: Read<F>>(
+    fn step<const EDGE: bool, Q: Read<F>>(
         &self,
         state: &mut State<F, W>,
         time: &BlockTime<R>,
@@ -218,7 +218,11 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             state.seeded = block;
         }
         let before = state.frame;
-        let step = state.frame.step(time, body);
+        let step = if EDGE {
+            edges::step(&mut state.frame, time, body)
+        } else {
+            state.frame.step(time, body)
+        };
         if Q::EVERY_ROW {
             let part = R::ONE / R::count(block as u32);
             let mut mirror = Mirror::new();

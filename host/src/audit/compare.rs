@@ -27,8 +27,10 @@ pub struct Parting {
 pub struct Difference {
     /// The field.
     pub field: String,
-    /// Its value in each, as decimal numbers.
-    pub values: [f64; 2],
+    /// Its value in each, with the digits that bring back its bits.
+    pub decimal: [String; 2],
+    /// The second value less the first.
+    pub difference: f64,
     /// The bits of each.
     pub bits: [String; 2],
     /// How many numbers of the type lie between, and one.
@@ -150,13 +152,18 @@ fn between(stage: &Stage, word: usize, a: u64, b: u64) -> Difference {
         Width::Single => f64::from(f32::from_bits(bits as u32)),
         Width::Double => f64::from_bits(bits),
     };
+    let decimal = |bits: u64| match stage.width {
+        Width::Single => zmij::Buffer::new().format(f32::from_bits(bits as u32)).to_owned(),
+        Width::Double => zmij::Buffer::new().format(f64::from_bits(bits)).to_owned(),
+    };
     let hex = |bits: u64| match stage.width {
         Width::Single => format!("0x{bits:08x}"),
         Width::Double => format!("0x{bits:016x}"),
     };
     Difference {
         field: stage.label(word),
-        values: [value(a), value(b)],
+        decimal: [decimal(a), decimal(b)],
+        difference: value(b) - value(a),
         bits: [hex(a), hex(b)],
         ulps: ulps(stage.width, a, b),
     }

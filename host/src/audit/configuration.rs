@@ -61,8 +61,7 @@ pub struct Configuration {
 impl Configuration {
     /// Its words, apart from each other by `gap`, the window's numbers by `comma`.
     fn spelled(&self, gap: &str, comma: &str) -> String {
-        let mut words =
-            vec![self.precision.name(), self.frame.name(), self.algorithm.name()].join(gap);
+        let mut words = [self.precision.name(), self.frame.name(), self.algorithm.name()].join(gap);
         if let Some((h, b, a)) = self.window {
             words = format!("{words}{gap}{h}{comma}{b}{comma}{a}");
         }

@@ -7,6 +7,7 @@
 //! | `chain` | the files: format, reading, writing |
 //! | `golden` | folders of chains, flown again |
 //! | `compare` | where two chains part |
+//! | `matrix` | the audit program on every target |
 //! | `sensitivity` | what one unit in the last place does |
 //! | `show` | all that as tables |
 //! | `page` | and as HTML and JSON |
@@ -15,13 +16,14 @@ pub mod chain;
 pub mod compare;
 pub mod configuration;
 pub mod golden;
+pub mod matrix;
 mod page;
 mod provenance;
 pub mod record;
 pub mod sensitivity;
 mod show;
 
-use crate::cli::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+use crate::cli::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 use crate::input::{Complaint, InputError};
 use crate::output::{self, say};
 use crate::scene::{self, builtin};
@@ -37,6 +39,7 @@ pub fn audit(command: &AuditCommand) -> Result<(), FlightError> {
         AuditCommand::Verify(args) => verify(args),
         AuditCommand::Compare(args) => compare(args),
         AuditCommand::Sensitivity(args) => sensitivity(args),
+        AuditCommand::Matrix(args) => matrix(args),
     }
 }
 
@@ -160,4 +163,18 @@ fn sensitivity(args: &SensitivityArgs) -> Result<(), FlightError> {
         page::write(folder, &title, &tables, &effects)?;
     }
     Ok(())
+}
+
+fn matrix(args: &MatrixArgs) -> Result<(), FlightError> {
+    // Nobody listening any more shows when the table is printed.
+    let matrix = matrix::matrix(args, &|row| drop(say(&matrix::ended(row))))?;
+    let tables = matrix::tables(&matrix);
+    say(&tables.iter().map(page::Table::text).collect::<String>())?;
+    if let Some(folder) = &args.out {
+        page::write(folder, "The same bits on every target", &tables, &matrix)?;
+    }
+    match matrix.failed(args.require_all) {
+        0 => Ok(()),
+        failed => Err(FlightError::Failed { failed, checks: matrix.rows.len() }),
+    }
 }

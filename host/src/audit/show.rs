@@ -101,8 +101,8 @@ fn place(parting: &Parting) -> String {
 fn part(parting: &Parting, rate_hz: Option<f64>) -> String {
     let time = rate_hz.map(|rate| format!(" ({} s)", parting.sample as f64 / rate));
     let mut text = format!("  {}{}\n", place(parting), time.unwrap_or_default());
-    if let Some(Difference { values: [a, b], bits: [x, y], .. }) = &parting.field {
-        text += &format!("    the one    {a:<24e} {x}\n    the other  {b:<24e} {y}\n");
+    if let Some(Difference { decimal: [a, b], bits: [x, y], .. }) = &parting.field {
+        text += &format!("    the one    {a:<24} {x}\n    the other  {b:<24} {y}\n");
     }
     if !parting.growth.is_empty() {
         for line in growth(&parting.growth).text().lines() {
@@ -116,14 +116,14 @@ fn growth(growth: &[Growth]) -> Table {
     let heads = ["stage", "sample", "field", "ulps", "the one", "the other less the one"];
     let mut table = Table::new("how the difference grows (the worst field)", &heads);
     for Growth { stage, sample, worst } in growth {
-        let Difference { field, values: [a, b], ulps, .. } = worst;
+        let Difference { field, decimal: [a, _], difference, ulps, .. } = worst;
         table.rows.push(vec![
             stage.clone(),
             sample.to_string(),
             field.clone(),
             ulps.to_string(),
-            format!("{a:e}"),
-            format!("{:.3e}", b - a),
+            a.clone(),
+            format!("{difference:.3e}"),
         ]);
     }
     table

@@ -4,7 +4,7 @@ mod audit;
 mod hil;
 mod options;
 
-pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+pub use audit::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, NavigatorOptions, Window};
 

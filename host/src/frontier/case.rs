@@ -235,34 +235,3 @@ pub enum Craft {
     /// On instantaneous rates.
     Rates(Box<dyn NavigateRates>),
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_case_has_a_name_of_its_own_and_starts() {
-        let all = Case::all();
-        let names: std::collections::HashSet<_> = all.iter().map(Case::to_string).collect();
-        assert_eq!(names.len(), all.len());
-        for name in [
-            "rk4 earth-fixed f32",
-            "textbook local-level f64",
-            "textbook earth-fixed f32 micromath",
-            "taylor 2,4,2 earth-fixed f64-plain",
-            "taylor 0,4,0 local-level f32x2",
-            "taylor 0,8,0 local-level f32 micromath",
-            "taylor 0,20,0 local-level f32",
-        ] {
-            assert!(names.contains(name), "{name}: {names:?}");
-        }
-        use schuler::trajectory::Trajectory as _;
-        let scene = crate::scene::builtin::scene("hard").expect("built in");
-        let source = crate::source::Source::new(&scene, false).expect("built in");
-        let initial = source.motion(0).initial();
-        for case in all {
-            let started = case.start(100.0, source.course.bound(), &initial);
-            assert!(started.is_ok(), "{case}");
-        }
-    }
-}

@@ -9,7 +9,7 @@ use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::{State, Strapdown};
 use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 use schuler::strapdown::window::Window;
-use schuler_tests::{Course, bits, largest};
+use schuler_tests::{Course, bits, largest, reader};
 
 type Local = LocalLevel<Pair<f64>>;
 type Earth = EarthFixed<Pair<f64>>;
@@ -52,7 +52,7 @@ where
             assert_eq!(row, rows, "{name}");
             last = Some(format!("{:?}", output.wide()));
         };
-        strapdown.push_rows(&mut reading, sample, &mut read).unwrap();
+        strapdown.push_rows(&mut reading, sample, reader(&mut read)).unwrap();
         strapdown.push(&mut silent, sample).unwrap();
         assert_eq!(bits(&reading), bits(&silent), "{name} {length}");
         assert_eq!(rows as usize, ready::<W>(length), "{name} after {length}");
@@ -65,14 +65,15 @@ where
         // The stream's end, with and without reading; nothing is left to finish then.
         let (mut ended, mut silently) = (reading, reading);
         let mut all_rows = rows;
-        strapdown.finish_rows(&mut ended, |row, _| {
+        let mut count = |row, _| {
             all_rows += 1;
             assert_eq!(row, all_rows, "{name} at the end of {length}");
-        });
+        };
+        strapdown.finish_rows(&mut ended, reader(&mut count));
         strapdown.finish(&mut silently);
         assert_eq!(all_rows, length as u64, "{name}");
         assert_eq!(bits(&ended), bits(&silently), "{name} at the end of {length}");
-        strapdown.finish_rows(&mut ended, |row, _| panic!("{name}: {row} again"));
+        strapdown.finish_rows(&mut ended, reader(&mut |row, _| panic!("{name}: {row} again")));
         assert_eq!(bits(&ended), bits(&silently));
 
         // A prediction is the end of a copy, and leaves the state alone.
@@ -123,9 +124,8 @@ fn delayed_but_unchanged<W: Window>() {
         let mut state = strapdown.start(&course.initial()).unwrap();
         let mut rows = Vec::new();
         for &sample in &course.samples[..length] {
-            strapdown
-                .push_rows(&mut state, sample, |_, row| rows.push(format!("{row:?}")))
-                .unwrap();
+            let mut read = |_, row| rows.push(format!("{row:?}"));
+            strapdown.push_rows(&mut state, sample, reader(&mut read)).unwrap();
         }
         rows
     };
@@ -161,11 +161,11 @@ fn goes_on<F: Frame<Real = f64>, W: Window>() {
             };
             for (n, &sample) in course.samples.iter().enumerate() {
                 if n == cut || n == again {
-                    strapdown.finish_rows(&mut state, &mut read);
+                    strapdown.finish_rows(&mut state, reader(&mut read));
                 }
-                strapdown.push_rows(&mut state, sample, &mut read).unwrap();
+                strapdown.push_rows(&mut state, sample, reader(&mut read)).unwrap();
             }
-            strapdown.finish_rows(&mut state, &mut read);
+            strapdown.finish_rows(&mut state, reader(&mut read));
             assert_eq!(rows.len(), course.samples.len(), "{name} {cut}");
             let worst = largest(rows.iter().zip(1..).map(|(row, n)| course.miss(n, row)));
             // What one to three samples alone cannot know of a turning, pulling vehicle.

@@ -3,7 +3,7 @@
 //! Their windows are rare: the fit is made at run time, and the series is the longest for all.
 
 use super::super::block_time::BlockTime;
-use super::super::body::{self, Sum};
+use super::super::body::{self, BodyMotion, Series, Sum};
 use super::super::fit::{Fit, MOST_SAMPLES};
 use super::super::frame::Frame;
 use super::super::rows::Read;
@@ -15,6 +15,26 @@ use crate::math::real::Real;
 const EDGE_TERMS: usize = 16;
 /// Samples at most in a stream's last blocks.
 const LAST_BLOCK: usize = 4;
+
+/// Integrates a block at an edge: one code for all frames, windows and readers.
+#[inline(never)]
+fn integrate<R: Real>(
+    fit: &Fit<R, MOST_SAMPLES>,
+    sum: &Sum<R>,
+    half_time_s: R,
+) -> (BodyMotion<R>, Series<R, { EDGE_TERMS + 1 }>) {
+    body::integrate(fit, sum, half_time_s, EDGE_TERMS)
+}
+
+/// Steps over a block at an edge: one code for all windows and readers of a frame.
+#[inline(never)]
+pub(super) fn step<F: Frame>(
+    frame: &mut F,
+    time: &BlockTime<F::Real>,
+    body: &BodyMotion<F::Real>,
+) -> F::Step {
+    frame.step(time, body)
+}
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// A block of `block` samples within the window of `all` samples that starts `history` before it.
@@ -36,10 +56,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let first = if is_first { W::first_fit(window) } else { None };
         let (fit, sum) = first.unwrap_or_else(|| Fit::of_any(window, history, block));
         let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::rounded(sum) };
-        let (body, series) = body::integrate::<R, MOST_SAMPLES, { EDGE_TERMS + 1 }>(
-            &fit, &sum, time.half, EDGE_TERMS,
-        );
-        self.step(state, &time, block, &body, &series, read);
+        let (body, series) = integrate(&fit, &sum, time.half);
+        self.step::<true, _>(state, &time, block, &body, &series, read);
     }
 
     /// The last blocks: the look-ahead that is missing goes to the history.

@@ -1,4 +1,4 @@
-//! `schuler frontier` as a user meets it: its files, its table, its errors.
+//! The command as a user meets it: its files, its table, its errors.
 
 use std::fs;
 use std::path::Path;

@@ -1,0 +1,52 @@
+//! The golden chains' digests, as the audit program has to print them.
+
+use super::output::Output;
+use crate::audit::chain::Chain;
+use crate::audit::golden;
+use crate::input::InputError;
+use std::collections::HashMap;
+use std::path::Path;
+
+/// The digests of a folder of chains.
+#[derive(Clone, Debug, Default)]
+pub struct Golden {
+    /// The digest of a stage of a flight at a sample, or at its end: `=` and the sample.
+    digests: HashMap<(String, String, String), String>,
+}
+
+impl Golden {
+    /// Of a folder; empty where there is none.
+    pub fn read(folder: &Path) -> Result<Self, InputError> {
+        let mut digests = HashMap::new();
+        let chains = if folder.is_dir() { golden::list(folder)? } else { Vec::new() };
+        for (flight, path) in chains {
+            for stage in Chain::read(&path.display().to_string())?.stages {
+                let at = stage.checkpoints.iter().map(|c| (c.sample.to_string(), c.digest));
+                let end = stage.end.iter().map(|c| (format!("={}", c.sample), c.digest));
+                for (sample, digest) in at.chain(end) {
+                    let place = (flight.clone(), stage.name.clone(), sample);
+                    digests.insert(place, format!("{digest:016x}"));
+                }
+            }
+        }
+        Ok(Self { digests })
+    }
+
+    /// How many digests of an output are golden.
+    pub fn held(&self, output: &Output) -> usize {
+        output.lines().filter(|line| self.get(line).is_some()).count()
+    }
+
+    /// The first place at which an output differs; `None` if it agrees in all that both have.
+    pub fn parts(&self, output: &Output) -> Option<String> {
+        let differs = |line: &super::output::Line<'_>| {
+            self.get(line).is_some_and(|digest| digest != line.digest)
+        };
+        output.lines().find(differs).map(|line| line.place())
+    }
+
+    fn get(&self, line: &super::output::Line<'_>) -> Option<&str> {
+        let place = [line.flight, line.stage, line.sample].map(str::to_owned);
+        self.digests.get(&place.into()).map(String::as_str)
+    }
+}

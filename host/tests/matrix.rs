@@ -1,0 +1,28 @@
+//! `schuler audit matrix`: what it refuses. The matrix itself is run by tests/matrix.sh.
+
+use std::process::Command;
+
+fn refused(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_schuler"))
+        .args(["audit", "matrix"])
+        .args(arguments)
+        .output()
+        .expect("the program runs");
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn targets_and_folders_that_are_not_there() {
+    let error = refused(&["--target", "vax"]);
+    assert!(
+        error.contains("--target: there is no target vax; accepted: release, debug"),
+        "{error}"
+    );
+    let empty = tempfile::tempdir().expect("a folder");
+    let empty = empty.path().display().to_string();
+    let error = refused(&["--source", &empty]);
+    assert!(error.contains("holds no tests/audit"), "{error}");
+    let error = refused(&["--golden", "no-such-folder", "--target", "release"]);
+    assert!(error.contains("no-such-folder: is no folder"), "{error}");
+}

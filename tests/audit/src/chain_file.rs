@@ -1,0 +1,105 @@
+//! A flight's whole chain as a text that `schuler audit` reads.
+
+use crate::configuration::{self, Configuration};
+use crate::lines::name_byte;
+use crate::recording::{EVERY, Reader, Words};
+use crate::scene::{MOST_SAMPLES, SCENES, SEED, Scene};
+use crate::truth::{self, Refused};
+use schuler::digest::Checkpoint;
+use schuler::sample::Increment;
+use std::fmt::Write;
+
+/// The chain of a flight; `None` if there is none of this name.
+pub fn of(flight: &str) -> Option<Result<String, Refused>> {
+    let (scene, rest) = flight.split_once('/')?;
+    let scene = SCENES.iter().find(|s| s.name == scene)?;
+    let named = |c: &&Configuration| c.title.bytes().map(name_byte).eq(rest.bytes());
+    let configuration = configuration::ALL.iter().find(named);
+    if configuration.is_none() && !["trajectory", "increments", "noise"].contains(&rest) {
+        return None;
+    }
+    Some(fly(scene, configuration, rest))
+}
+
+fn fly(
+    scene: &Scene,
+    configuration: Option<&Configuration>,
+    stage: &str,
+) -> Result<String, Refused> {
+    let mut samples = [Increment::ZERO; MOST_SAMPLES];
+    let mut chain = ChainFile { only: Some(stage), ..ChainFile::default() };
+    let flown = truth::fly(scene, &mut samples, &mut chain)?;
+    if let Some(configuration) = configuration {
+        let is_double = configuration.title.starts_with("f64");
+        chain = ChainFile { is_single: !is_double, ..ChainFile::default() };
+        (configuration.fly)(&flown, &mut chain)?;
+    }
+    Ok(chain.text(scene, configuration))
+}
+
+/// A chain as it is written.
+#[derive(Default)]
+struct ChainFile<'a> {
+    /// The one stage that is wanted; else all of them are.
+    only: Option<&'a str>,
+    is_single: bool,
+    stages: Vec<(&'static str, Vec<&'static str>)>,
+    rows: String,
+}
+
+impl ChainFile<'_> {
+    fn is_wanted(&self, stage: &str) -> bool {
+        self.only.is_none_or(|only| only == stage)
+    }
+
+    fn line(&mut self, line: std::fmt::Arguments) {
+        // A string takes everything.
+        let _ = self.rows.write_fmt(line);
+        self.rows.push('\n');
+    }
+
+    fn text(&self, scene: &Scene, configuration: Option<&Configuration>) -> String {
+        let mut text = format!(
+            "schuler chain 1\nscene: {}\nduration_s: {}\nrate_hz: {}\nseed: {SEED}\n",
+            scene.name, scene.duration_s, scene.rate_hz
+        );
+        if let Some(Configuration { title, .. }) = configuration {
+            text += &format!("configuration: {title}\n");
+        }
+        text += &format!("checkpoint: {EVERY}\nrows: {}\n", scene.samples());
+        let width = if self.is_single { "f32" } else { "f64" };
+        for (stage, fields) in &self.stages {
+            text += &format!("stage: {stage} {width} {}\n", fields.join(" "));
+        }
+        text + "\n" + &self.rows
+    }
+}
+
+impl Reader for ChainFile<'_> {
+    fn row(&mut self, stage: &'static str, sample: u64, words: Words) {
+        if !self.is_wanted(stage) {
+            return;
+        }
+        if self.stages.iter().all(|(name, _)| *name != stage) {
+            let mut fields = Vec::new();
+            words(&mut |name, _| fields.push(name));
+            self.stages.push((stage, fields));
+        }
+        let digits = if self.is_single { 8 } else { 16 };
+        let mut line = format!("{stage} {sample}");
+        words(&mut |_, bits| line += &format!(" {bits:0digits$x}"));
+        self.line(format_args!("{line}"));
+    }
+
+    fn checkpoint(&mut self, stage: &'static str, Checkpoint { sample, digest }: Checkpoint) {
+        if self.is_wanted(stage) {
+            self.line(format_args!("{stage} # {sample} {digest:016x}"));
+        }
+    }
+
+    fn end(&mut self, stage: &'static str, Checkpoint { sample, digest }: Checkpoint) {
+        if self.is_wanted(stage) {
+            self.line(format_args!("{stage} = {sample} {digest:016x}"));
+        }
+    }
+}

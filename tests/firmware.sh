@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Builds the firmware for every target, flies it in QEMU, and holds it against the program on this
+# machine and against the table of costs.
+#   tests/firmware.sh           compares with tests/firmware/BUDGET.md
+#   tests/firmware.sh --store   writes what is measured in its place
+# Without QEMU or a compiler it skips with a line that says so; with CI set it installs them.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/target.sh
+
+has_qemu() { command -v qemu-system-arm >/dev/null && command -v qemu-system-riscv32 >/dev/null; }
+
+if ! has_qemu && [ -n "${CI:-}" ]; then
+    apt-get update -qq >/dev/null
+    apt-get install -y -qq --no-install-recommends qemu-system-arm qemu-system-misc >/dev/null
+fi
+if ! has_qemu; then
+    echo "skipped: no QEMU (apt-get install qemu-system-arm qemu-system-misc)"
+    exit 0
+fi
+
+runner() { cargo run --quiet --locked --package schuler-qemu -- "$@"; }
+
+host=$(realpath -m "${CARGO_TARGET_DIR:-target}")
+images=$(realpath -m "${CARGO_TARGET_DIR:-tests/firmware/target}")
+cargo build --release --locked --quiet
+builds=$(runner builds)
+while read -r triple board; do
+    bins=(--bin selftest --bin budget --bin single --bin navigator-f32)
+    # The image that `schuler hil` looks for: every mechanization, f64 in software among them.
+    if [ "$board $triple" = "mps2 thumbv7em-none-eabihf" ]; then bins+=(--bin navigator); fi
+    (
+        cd tests/firmware
+        build_package "$triple" "$board,semihosting" --no-default-features --quiet "${bins[@]}"
+    ) || {
+        if [ -n "${CI:-}" ]; then exit 1; fi
+        echo "skipped: no compiler for $triple (rustup target add $triple)"
+        exit 0
+    }
+done <<<"$builds"
+runner check "$@" "$images" "$host/release/schuler" tests/firmware/BUDGET.md

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# One operation of the core changed by one unit in the last place, stage by stage: `schuler audit compare`
+# has to name the stage, the sample and the field. SCHULER may name the program, built already.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+schuler=${SCHULER:-cargo run --quiet --release --locked --}
+builds=$(realpath -m "${CARGO_TARGET_DIR:-target}/plants")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+fail() { echo "plants: $*" >&2; exit 1; }
+
+navigator=f32-local-level-taylor-0-4-0
+
+# fly FOLDER: builds the copy of the program and writes the chains of a flight.
+fly() {
+    (cd "$scratch/tests/audit" &&
+        CARGO_TARGET_DIR="$builds" cargo build --quiet --locked --features std)
+    mkdir -p "$1"
+    for flight in trajectory increments noise $navigator; do
+        "$builds/debug/audit" "paper/$flight" >"$1/$flight.chain"
+    done
+}
+
+# plant STAGE FILE LINE REPLACEMENT EXPECTED: changes the one line of a file of core that is LINE.
+plant() {
+    local stage=$1 file=core/src/$2 line=$3 replacement=$4 expected=$5
+    [ "$(grep -cF -- "$line" "$file")" = 1 ] || fail "$file has not just one line \"$line\""
+    LINE=$line REPLACEMENT=$replacement awk \
+        'index($0, ENVIRON["LINE"]) { print ENVIRON["REPLACEMENT"]; next } { print }' \
+        "$file" >"$scratch/$file"
+    fly "$scratch/$stage"
+    cp "$file" "$scratch/$file"
+    local found status=0
+    $schuler audit compare "$scratch/good" "$scratch/$stage" >"$scratch/compared" 2>&1 || status=$?
+    if [ "$status" != 1 ]; then
+        cat "$scratch/compared"
+        fail "the ulp planted in $stage is not found: status $status"
+    fi
+    found=$(grep '^first: ' "$scratch/compared")
+    [ "$found" = "first: $expected: 1 ulp" ] || fail "planted in $stage: \"$found\", not $expected"
+    echo "$found"
+}
+
+mkdir -p "$scratch/tests"
+cp -r Cargo.toml README.md core "$scratch"
+cp -r tests/audit "$scratch/tests"
+# The copy is the core and the program alone.
+sed -i 's/^members = .*/members = ["core"]/; /^default-members = /d' "$scratch/Cargo.toml"
+
+fly "$scratch/good"
+
+# x + 0.74·2⁻⁵²·x, or 2⁻²³ in single precision, rounds to the number after x.
+plant trajectory trajectory/harmonic.rs '*x = *x + in_phase;' \
+    '*x = *x + in_phase; if time_s > R::of(30.0) && share.channel == 5 { *x = *x + *x * R::of(1.64e-16); }' \
+    "trajectory, sample 601, stage trajectory, field altitude value"
+plant increments imu.rs 'sum.angle_b = sum.angle_b + mean.rate_ib_b * (b - a);' \
+    'sum.angle_b = sum.angle_b + mean.rate_ib_b * (b - a);
+     if R::any(R::of(45.01).less(b)) { sum.angle_b.y = sum.angle_b.y + sum.angle_b.y * R::of(1.64e-16); }' \
+    "increments, sample 901, stage increments, field angle_b y"
+plant noise sensor/white.rs 'reading.increment = reading.increment + self.deviation' \
+    'reading.increment = reading.increment + self.deviation.zip(deviates, |n, z: R| n * z);
+     reading.increment.z = reading.increment.z + reading.increment.z * R::of(1.64e-16);' \
+    "noise, sample 1, stage noise, field angle_b z"
+plant body strapdown/body.rs 'let motion = BodyMotion { rotation: e,' \
+    'let velocity = Vector { x: velocity.x + velocity.x * R::of(8.8e-8), ..velocity };
+     let motion = BodyMotion { rotation: e, rotation_low, velocity, velocity_low, position };' \
+    "$navigator, sample 4, stage body, field velocity x"
+plant nav strapdown/local_level.rs 'self.gravity_excess = excess;' \
+    'self.gravity_excess = excess + excess * R::of(8.8e-8);' \
+    "$navigator, sample 4, stage nav, field gravity_excess"

@@ -1,0 +1,54 @@
+//! The image `navigator-f32` in lockstep with the program on this machine, over the machine's UART.
+
+use super::image::Image;
+use super::machine::Machine;
+use std::net::TcpListener;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::Duration;
+
+/// Seconds of the paper's scene that are flown in lockstep.
+const FLIGHT_S: &str = "10";
+
+/// A machine that serves its UART on a port of this machine; stopped when dropped.
+struct Serving(Child);
+
+impl Drop for Serving {
+    fn drop(&mut self) {
+        // It serves for ever, and may have ended all the same.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// Whether `schuler hil` finds the same bits in every solution; else what it says.
+pub fn fly(machine: &Machine, image: &Image, schuler: &Path) -> Result<Option<String>, String> {
+    let free = TcpListener::bind("127.0.0.1:0").and_then(|listener| listener.local_addr());
+    let address = free.map_err(|error| format!("no port: {error}"))?;
+    let mut command = Command::new(machine.program);
+    command.args(machine.arguments).args(["-display", "none", "-monitor", "none", "-serial"]);
+    command.arg(format!("tcp:{address},server=on,wait=on")).arg("-kernel").arg(&image.path);
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    let started = command.spawn().map_err(|error| format!("{}: {error}", machine.program));
+    let _serving = Serving(started?);
+
+    let out = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let mut said = String::new();
+    // Until the machine listens, the program finds nobody.
+    for _ in 0..50 {
+        thread::sleep(Duration::from_millis(200));
+        let mut command = Command::new(schuler);
+        command.args(["hil", "paper", "--precision", "f32", "--window", "0,4,0", "--no-report"]);
+        command.args(["--duration", FLIGHT_S, "--device", &format!("tcp:{address}"), "--out"]);
+        let ran = command.arg(out.path()).output().map_err(|error| error.to_string())?;
+        if ran.status.success() {
+            return Ok(None);
+        }
+        said = String::from_utf8_lossy(&ran.stderr).into_owned();
+        if !said.contains("refused") {
+            break;
+        }
+    }
+    Ok(Some(said))
+}

@@ -3,8 +3,12 @@
 //! that part can be told apart.
 //!
 //! Every word goes into one of four lanes in turn, so that the multiplications overlap; it is no
-//! cryptographic hash. The same on every target: words are numbers, not bytes in memory, and −0 counts
-//! as what it is.
+//! cryptographic hash. Words are numbers, not bytes in memory, so that endianness does not show.
+//!
+//! The promise behind it: for one scene, seed, precision and configuration every state has the same
+//! bits on every target. It rests on IEEE 754's + − × ÷ √, a pinned libm, no float function of the
+//! standard library, no fused multiplication and addition, no NaN in a state, and subnormal numbers
+//! that survive. −0 counts as what it is: it comes about by the same operations everywhere.
 
 use crate::record::Record;
 

@@ -102,7 +102,7 @@ impl<M: Linked> Fleet for Flight<M> {
 }
 
 /// Makes a [`Fleet`](link::fleet::Fleet) of some mechanizations, each
-/// [`Linked`](link::configuration::Linked).
+/// [`Linked`](crate::link::configuration::Linked).
 #[macro_export]
 macro_rules! fleet {
     ($($(#[$doc:meta])* $visibility:vis $name:ident {

@@ -7,6 +7,7 @@ use super::machine::{MACHINES, Machine};
 use super::qemu::{self, Flight};
 use super::twin::TWINS;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::thread;
@@ -88,8 +89,8 @@ fn twins(places: &Places) -> Result<BTreeMap<(u32, &'static str), String>, Strin
     for machine in MACHINES {
         for twin in TWINS {
             let key = (machine.flight_s, twin.name);
-            if !digests.contains_key(&key) {
-                digests.insert(key, twin.digest(&places.schuler, machine.flight_s)?);
+            if let Entry::Vacant(place) = digests.entry(key) {
+                place.insert(twin.digest(&places.schuler, machine.flight_s)?);
             }
         }
     }
@@ -142,7 +143,7 @@ fn examine(
     if machine.target == MACHINES[0].target {
         for (measure, value) in MEASURES.iter().zip(&column.1) {
             if let Some(budget) = measure.budget
-                && !(*value <= budget)
+                && (*value > budget || value.is_nan())
             {
                 faults.push(format!("{}: {value}, budget {budget}", measure.what));
             }

@@ -101,7 +101,7 @@ impl<M: Linked> Fleet for Flight<M> {
     }
 }
 
-/// Makes a [`Fleet`](link::fleet::Fleet) of some mechanizations, each
+/// Makes a [`Fleet`](crate::link::fleet::Fleet) of some mechanizations, each
 /// [`Linked`](crate::link::configuration::Linked).
 #[macro_export]
 macro_rules! fleet {

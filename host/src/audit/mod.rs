@@ -5,6 +5,7 @@
 //! | `configuration` | the navigators that are flown |
 //! | `record` | a scene's stages into chains |
 //! | `chain` | the files: format, reading, writing |
+//! | `label` | what words are called |
 //! | `golden` | folders of chains, flown again |
 //! | `compare` | where two chains part |
 //! | `matrix` | the audit program on every target |
@@ -16,6 +17,7 @@ pub mod chain;
 pub mod compare;
 pub mod configuration;
 pub mod golden;
+mod label;
 pub mod matrix;
 mod page;
 mod provenance;

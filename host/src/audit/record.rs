@@ -9,6 +9,7 @@ use schuler::digest;
 use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
 use schuler::record::Record;
+use schuler::solution::Solution;
 
 /// How much of a flight is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,6 +86,7 @@ pub fn record(
         });
         let mut about = about.clone();
         about.insert(4, ("configuration".to_owned(), configuration.title()));
+        about.insert(5, ("initial".to_owned(), start(&initial)));
         chains.push((configuration.stem(), recording.chain(about)));
     }
     Ok(chains)
@@ -102,6 +104,16 @@ fn about(scene: &Scene, cadence: Cadence, provenance: &str) -> Vec<(String, Stri
     ]
     .map(|(key, value)| (key.to_owned(), value))
     .into()
+}
+
+/// The state to start from, as words of f64, hi and lo: latitude, longitude, altitude, velocity north,
+/// east, down, attitude w, x, y, z.
+fn start(initial: &Solution<f64>) -> String {
+    let Solution { position: p, velocity_ned: v, attitude: q } = initial;
+    let numbers = [p.latitude, p.longitude, p.altitude, v.x, v.y, v.z, q.w, q.v.x, q.v.y, q.v.z];
+    let words = numbers.iter().flat_map(|n| [n.hi, n.lo]);
+    let words: Vec<_> = words.map(|word| format!("{:016x}", word.to_bits())).collect();
+    words.join(" ")
 }
 
 /// Stages while they are recorded.

@@ -2,9 +2,11 @@
 
 use crate::flight::{Course, Flight, Hard, Manoeuvre, Paper};
 use crate::paper::{self, Sensors};
+use schuler::digest::Digest;
 use schuler::imu::Quadrature;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
+use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
@@ -177,6 +179,30 @@ impl<C: Flight, F: Frame<Real: Scalar>, W: Window> Work for Rows<C, F, W> {
     }
 }
 
+/// A navigator with a window on the paper's flight, its state taken into a digest after every block.
+pub struct Digested<F: Frame, W: Window>(Taylor<F, W>);
+
+impl<F: Frame<Real: Scalar> + Record, W: Window> Work for Digested<F, W> {
+    fn prepare() -> Self {
+        Self(Navigation::on::<Paper>())
+    }
+
+    #[inline(always)]
+    fn run(&self) {
+        let mut state = self.0.state;
+        let mut digest = Digest::default();
+        let mut integrated = state.integrated();
+        for &sample in &self.0.samples {
+            let _ = self.0.mechanization.push(&mut state, sample);
+            if state.integrated() != integrated {
+                integrated = state.integrated();
+                digest.add(<Strapdown<F, W> as Mechanization>::frame(&state));
+            }
+        }
+        black_box((&state, digest.value()));
+    }
+}
+
 /// The paper's sensors with all their error terms, fed with perfect increments.
 pub struct Emulation {
     sensors: Sensors,
@@ -210,6 +236,8 @@ pub type TextbookEarthFixed = Navigation<Textbook<EarthFixedTextbook<f64>>>;
 pub type LocalLevelH0B4A0 = Taylor<LocalLevel<Pair<f64>>, H0B4A0>;
 /// Four samples, Earth-fixed, `f64`.
 pub type EarthFixedH0B4A0 = Taylor<EarthFixed<Pair<f64>>, H0B4A0>;
+/// Four samples, local-level, `f64`, with a digest of every block.
+pub type DigestedH0B4A0 = Digested<LocalLevel<Pair<f64>>, H0B4A0>;
 /// Eight samples about the block, local-level, `f64`.
 pub type LocalLevelH2B4A2 = Taylor<LocalLevel<Pair<f64>>, H2B4A2>;
 /// Eight samples about the block, Earth-fixed, `f64`.
@@ -247,6 +275,7 @@ macro_rules! for_each_work {
             textbook_local_level_f64 = TextbookLocalLevel,
             textbook_earth_fixed_f64 = TextbookEarthFixed,
             h0b4a0_local_level_f64 = LocalLevelH0B4A0,
+            h0b4a0_local_level_f64_digested = DigestedH0B4A0,
             h0b4a0_earth_fixed_f64 = EarthFixedH0B4A0,
             h2b4a2_local_level_f64 = LocalLevelH2B4A2,
             h2b4a2_earth_fixed_f64 = EarthFixedH2B4A2,

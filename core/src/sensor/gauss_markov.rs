@@ -125,7 +125,7 @@ impl<R: Deviate> ErrorTerm<R> for GaussMarkov<R> {
         state
     }
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
         let GaussMarkovState { bias, streams } = state;
         let outputs = reading.increment.each_mut().into_iter().zip(bias.each_mut());

@@ -106,13 +106,6 @@ impl Stream {
         R::normal(R::draw(self))
     }
 
-    /// Two independent standard normal deviates, from as few words as the type allows.
-    #[inline]
-    pub fn normal_pair<R: Deviate>(&mut self) -> (R, R) {
-        let (first, second) = R::draw_pair(self);
-        (R::normal(first), R::normal(second))
-    }
-
     /// A number in [0, 1), with all the digits that the type has there; draws one word.
     #[inline]
     pub fn uniform<R: Deviate>(&mut self) -> R {
@@ -127,9 +120,6 @@ pub trait Deviate: Scalar + Record {
 
     /// The next word of a stream.
     fn draw(stream: &mut Stream) -> Self::Word;
-
-    /// The next two.
-    fn draw_pair(stream: &mut Stream) -> (Self::Word, Self::Word);
 
     /// The standard normal deviate of a word. Its top bit is the sign, the rest, k of n bits, is the
     /// distance q = (k + ½)/2ⁿ⁺¹ of the probability from ½. So both tails are alike, and reach as
@@ -146,11 +136,6 @@ impl Deviate for f64 {
     #[inline]
     fn draw(stream: &mut Stream) -> u64 {
         stream.next_u64()
-    }
-
-    #[inline]
-    fn draw_pair(stream: &mut Stream) -> (u64, u64) {
-        (stream.next_u64(), stream.next_u64())
     }
 
     #[inline]
@@ -179,13 +164,6 @@ impl Deviate for f32 {
     #[inline]
     fn draw(stream: &mut Stream) -> u32 {
         stream.next_u32()
-    }
-
-    #[inline]
-    fn draw_pair(stream: &mut Stream) -> (u32, u32) {
-        // The halves of one step of the generator.
-        let word = stream.next_u64();
-        ((word >> 32) as u32, word as u32)
     }
 
     #[inline]

@@ -111,7 +111,7 @@ fn rows_left_out_change_no_digest() {
 fn one_ulp_does_what_mechanics_says() {
     let mut scene = builtin::scene("stationary").unwrap();
     scene.duration_s = 10.0;
-    scene.navigator.precision = Precision::F32;
+    scene.navigator.precision = Precision::F32x2;
     let effects = sensitivity::sensitivity(&scene, &[1.0, 10.0]).unwrap();
     let find = |input: &str| effects.iter().find(|effect| effect.input == input).unwrap();
     // An ulp of latitude at 45° is 6e-8 rad of 6.4e6 m, and stays what it is.

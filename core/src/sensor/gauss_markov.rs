@@ -51,7 +51,7 @@ impl<R: Deviate> Process<R> {
     /// Advances the value by the interval, and returns its integral over it.
     #[inline(always)]
     pub fn advance(&self, value: &mut R, stream: &mut Stream) -> R {
-        let (first, second): (R, R) = stream.normal_pair();
+        let (first, second): (R, R) = (stream.normal(), stream.normal());
         // ∫b = Tu b₀ + σTu²/√(u(2−u))·z₁ + σT√(2x − 4tanh(x/2))·z₂
         let integral = self.integral * *value + (self.coupled * first + self.independent * second);
         // b₁ = b₀ − u b₀ + σ√(u(2−u))·z₁: in single precision 1 − u would lose u's digits

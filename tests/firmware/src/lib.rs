@@ -1,8 +1,9 @@
-//! What the images share: the board, the paper's scene, and measuring.
+//! What the images share: the board, the paper's scene, its faults, and measuring.
 
 #![no_std]
 
 pub mod application;
 pub mod board;
+pub mod fault;
 pub mod navigation;
 pub mod paper;

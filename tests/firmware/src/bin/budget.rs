@@ -11,17 +11,16 @@ use schuler::math::vector::Vector;
 use schuler::noise::{Deviate, Stream};
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
-use schuler::sensor::parameter::ParameterError;
 use schuler::solution::Solution;
 use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
+use schuler::strapdown::mechanization::{Mechanization, Rejected};
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::plan::Digits;
 use schuler::strapdown::textbook::{LocalLevelTextbook, Textbook};
 use schuler::strapdown::window::{H0B4A0, Window as _};
 use schuler::trajectory::Trajectory as _;
-use schuler::trajectory::harmonic::TooManyHarmonics;
 use schuler_firmware::board::{self, Counter, entry, stack::Painted};
+use schuler_firmware::fault::Fault;
 use schuler_firmware::navigation::planned;
 use schuler_firmware::paper::{self, Course, RATE_HZ, SEED, time_s};
 
@@ -35,27 +34,6 @@ const SENSOR_ROUNDS: usize = 64;
 const BLOCKS: usize = if cfg!(target_abi = "eabihf") { 10_000 } else { 1000 };
 /// Times that each is flown, to see a fraction of a count.
 const REPEATS: u32 = 8;
-
-/// What can go wrong.
-#[derive(defmt::Format)]
-enum Fault {
-    Motion(TooManyHarmonics),
-    Sensors(ParameterError),
-    Start(StartError),
-    Rejected(Rejected),
-    Counter,
-}
-
-macro_rules! fault_from {
-    ($($error:ty => $fault:ident),+) => {
-        $(impl From<$error> for Fault {
-            fn from(error: $error) -> Self {
-                Self::$fault(error)
-            }
-        })+
-    };
-}
-fault_from!(TooManyHarmonics => Motion, ParameterError => Sensors, StartError => Start, Rejected => Rejected);
 
 #[entry]
 fn main() -> ! {

@@ -10,14 +10,13 @@ use schuler::imu::Quadrature;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::record::Record;
-use schuler::sensor::parameter::ParameterError;
 use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
+use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::plan::Digits;
 use schuler::strapdown::window::{H0B4A0, Window as _};
 use schuler::trajectory::Trajectory as _;
-use schuler::trajectory::harmonic::TooManyHarmonics;
 use schuler_firmware::board::{self, Counter, entry, stack::Painted};
+use schuler_firmware::fault::Fault;
 use schuler_firmware::navigation::{Navigation, larger, planned};
 use schuler_firmware::paper::{self, RATE_HZ, SEED, time_s};
 
@@ -30,27 +29,6 @@ static FLIGHT_S: u32 = 1800;
 static SINGLE_BOUND_M: f32 = 0.15;
 /// The same for f32x2.
 static TWO_FLOAT_BOUND_M: f32 = 5e-3;
-
-/// What can go wrong before anything is compared.
-#[derive(defmt::Format)]
-enum Fault {
-    Motion(TooManyHarmonics),
-    Sensors(ParameterError),
-    Start(StartError),
-    Rejected(Rejected),
-    Counter,
-}
-
-macro_rules! fault_from {
-    ($($error:ty => $fault:ident),+) => {
-        $(impl From<$error> for Fault {
-            fn from(error: $error) -> Self {
-                Self::$fault(error)
-            }
-        })+
-    };
-}
-fault_from!(TooManyHarmonics => Motion, ParameterError => Sensors, StartError => Start, Rejected => Rejected);
 
 #[entry]
 fn main() -> ! {

@@ -12,12 +12,12 @@ pub fn judged(flown: Vec<(Row, Option<Output>)>, stored: &Golden) -> Matrix {
         if let (Some(first), Some(output)) = (&first, &output) {
             let is_first = rows.iter().all(|row: &Row| row.digest.is_none());
             row.digest = Some(output.digest());
-            row.verdict = match (first.parts(output), stored.parts(output)) {
+            row.verdict = Some(match (first.parts(output), stored.parts(output)) {
                 (Some(place), _) => Verdict::Parts(place),
                 (None, Some(place)) => Verdict::PartsFromGolden(place),
                 (None, None) if is_first => Verdict::First,
                 (None, None) => Verdict::Equal,
-            };
+            });
         }
         rows.push(row);
     }
@@ -29,7 +29,9 @@ pub fn judged(flown: Vec<(Row, Option<Output>)>, stored: &Golden) -> Matrix {
         digest: line.digest.to_owned(),
     });
     let flights = flights.collect();
-    Matrix { rows, flights, golden: first.map_or(0, |first| stored.held(&first)) }
+    let digests = first.as_ref().map_or(0, |first| first.lines().count());
+    let golden = first.map_or(0, |first| stored.held(&first));
+    Matrix { rows, flights, digests, golden }
 }
 
 #[cfg(test)]
@@ -41,8 +43,8 @@ mod tests {
 
     fn row(target: &'static str, output: Result<&str, Verdict>) -> (Row, Option<Output>) {
         let (text, verdict) = match output {
-            Ok(text) => (Some(text), Verdict::Equal),
-            Err(verdict) => (None, verdict),
+            Ok(text) => (Some(text), None),
+            Err(verdict) => (None, Some(verdict)),
         };
         let row = Row {
             target,
@@ -70,10 +72,12 @@ mod tests {
         let matrix = judged(rows, &Golden::default());
         let place = "paper/noise, stage noise, by sample 64".to_owned();
         let verdicts: Vec<_> = matrix.rows.iter().map(|row| row.verdict.clone()).collect();
-        assert_eq!(verdicts, [missing, Verdict::First, Verdict::Equal, Verdict::Parts(place)]);
+        let expected = [missing, Verdict::First, Verdict::Equal, Verdict::Parts(place)];
+        assert_eq!(verdicts, expected.map(Some));
         assert_eq!(matrix.rows[1].digest, matrix.rows[2].digest);
         assert_ne!(matrix.rows[1].digest, matrix.rows[3].digest);
-        assert_eq!((matrix.equal(), matrix.failed(false), matrix.failed(true)), (2, 1, 2));
+        // One parts, one is missing, and nothing is golden.
+        assert_eq!((matrix.equal(), matrix.failed(false), matrix.failed(true)), (2, 1, 3));
         let [flight] = matrix.flights.as_slice() else { panic!("one flight has an end") };
         assert_eq!((flight.samples.as_str(), flight.digest.as_str()), ("70", "00000000000000ff"));
     }
@@ -83,9 +87,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let scene = folder.path().join("paper");
         std::fs::create_dir(&scene).unwrap();
-        let write = |digest: &str| {
+        let write = |at: &str, digest: &str| {
             let text = format!(
-                "schuler chain 1\nstage: noise f64 angle\n\nnoise # 64 {digest}\n\
+                "schuler chain 1\nstage: noise f64 angle\n\nnoise # {at} {digest}\n\
                  noise = 70 00000000000000ff\n"
             );
             std::fs::write(scene.join("noise.chain"), text).unwrap();
@@ -94,11 +98,23 @@ mod tests {
                 &Golden::read(folder.path()).unwrap(),
             )
         };
-        let matrix = write("0000000000000001");
+        let matrix = write("64", "0000000000000001");
         assert_eq!((matrix.golden, matrix.failed(true)), (2, 0));
-        let matrix = write("0000000000000003");
+        // Another spacing: the digest at 64 is not compared with anything.
+        let matrix = write("32", "0000000000000001");
+        assert_eq!((matrix.golden, matrix.failed(false), matrix.failed(true)), (1, 0, 1));
+        let matrix = write("64", "0000000000000003");
         assert_eq!((matrix.golden, matrix.failed(true)), (2, 2));
         let place = "paper/noise, stage noise, by sample 64".to_owned();
-        assert_eq!(matrix.rows[1].verdict, Verdict::PartsFromGolden(place));
+        assert_eq!(matrix.rows[1].verdict, Some(Verdict::PartsFromGolden(place)));
+    }
+
+    #[test]
+    fn without_golden_chains_not_all_is_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let stored = Golden::read(&folder.path().join("none")).unwrap();
+        let matrix = judged(vec![row("a", Ok(TEXT)), row("b", Ok(TEXT))], &stored);
+        assert_eq!((matrix.digests, matrix.golden), (2, 0));
+        assert_eq!((matrix.failed(false), matrix.failed(true)), (0, 1));
     }
 }

@@ -43,7 +43,9 @@ pub struct Matrix {
     pub rows: Vec<Row>,
     /// The digests at the end of every stage, as the first row has them.
     pub flights: Vec<Flight>,
-    /// How many of its digests are golden.
+    /// How many digests the first row printed.
+    pub digests: usize,
+    /// How many of them are golden.
     pub golden: usize,
 }
 
@@ -64,8 +66,8 @@ pub struct Row {
     pub time_s: f64,
     /// One digest over everything that it printed.
     pub digest: Option<String>,
-    /// What it came to.
-    pub verdict: Verdict,
+    /// What it came to; absent until it is compared.
+    pub verdict: Option<Verdict>,
 }
 
 /// What a row came to.
@@ -102,18 +104,20 @@ pub struct Flight {
 impl Matrix {
     /// Rows that keep the promise.
     pub fn equal(&self) -> usize {
-        let kept = |row: &&Row| matches!(row.verdict, Verdict::First | Verdict::Equal);
+        let kept = |row: &&Row| matches!(row.verdict, Some(Verdict::First | Verdict::Equal));
         self.rows.iter().filter(kept).count()
     }
 
-    /// Rows that break it, or that could not be had though they were required.
+    /// Rows that break it, or that could not be had though they were required; digests that are not
+    /// golden, where all is required, count as one more.
     pub fn failed(&self, require_all: bool) -> usize {
         let failed = |row: &&Row| match row.verdict {
-            Verdict::First | Verdict::Equal => false,
-            Verdict::Missing(_) => require_all,
+            Some(Verdict::First | Verdict::Equal) => false,
+            Some(Verdict::Missing(_)) => require_all,
             _ => true,
         };
-        self.rows.iter().filter(failed).count()
+        let lacks_golden = require_all && self.golden != self.digests;
+        self.rows.iter().filter(failed).count() + usize::from(lacks_golden)
     }
 }
 
@@ -176,13 +180,13 @@ fn fly(target: &Target, lane: usize, machine: &Machine, place: &Place) -> (Row, 
         runner: "itself".to_owned(),
         time_s: 0.0,
         digest: None,
-        verdict: Verdict::Equal,
+        verdict: None,
     };
     let flown = try_to_fly(target, lane, machine, place, &mut row);
     row.time_s = start.elapsed().as_secs_f64();
     match flown {
         Ok(output) => (row, Some(output)),
-        Err(verdict) => (Row { verdict, ..row }, None),
+        Err(verdict) => (Row { verdict: Some(verdict), ..row }, None),
     }
 }
 

@@ -13,6 +13,7 @@ use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::mechanization::Rejected;
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// What one unit in the last place of an input did.
 #[derive(Clone, Debug, Serialize)]
@@ -21,7 +22,7 @@ pub struct Effect {
     pub input: String,
     /// The unit, in the input's own: rad, m, m/s.
     pub ulp: f64,
-    /// At the times asked for.
+    /// At each sample that is looked at.
     pub after: Vec<Moved>,
 }
 
@@ -50,7 +51,7 @@ enum Place {
     EverySample(usize),
 }
 
-/// The effect of every input of a scene, at times in seconds.
+/// The effect of every input of a scene, at the samples nearest to times in seconds, each once, in order.
 pub fn sensitivity(scene: &Scene, times_s: &[f64]) -> Result<Vec<Effect>, FlightError> {
     let flight = Flight::new(scene, times_s)?;
     let base = flight.fly(Place::Nowhere)?.1;
@@ -60,7 +61,8 @@ pub fn sensitivity(scene: &Scene, times_s: &[f64]) -> Result<Vec<Effect>, Flight
     let mut effects = Vec::new();
     for place in starts.chain(firsts).chain(everies) {
         let (ulp, moved) = flight.fly(place)?;
-        let after = moved.iter().zip(&base).zip(times_s).map(|((moved, base), &time_s)| {
+        let after = moved.iter().zip(&base).map(|((sample, moved), (_, base))| {
+            let time_s = *sample as f64 / scene.rate_hz;
             let nine = nine(&drift(moved, base));
             let (position_m, velocity_m_s) = (nine.position_m, nine.velocity_m_s);
             Moved { time_s, position_m, velocity_m_s, attitude_arcsec: nine.attitude_arcsec }
@@ -98,8 +100,8 @@ struct Flight<'a> {
     plan: Plan,
     initial: Solution<f64>,
     samples: Vec<Increment<f64>>,
-    /// The sample after which each time is reached.
-    due: Vec<u64>,
+    /// The samples after which to look, in order.
+    due: BTreeSet<u64>,
 }
 
 impl<'a> Flight<'a> {
@@ -113,8 +115,8 @@ impl<'a> Flight<'a> {
         Ok(Self { scene, plan, initial, samples, due })
     }
 
-    /// The unit that was added, and the navigation at the times that are due.
-    fn fly(&self, place: Place) -> Result<(f64, Vec<Solution<f64>>), FlightError> {
+    /// The unit that was added, and the navigation after each sample that is due.
+    fn fly(&self, place: Place) -> Result<(f64, Vec<(u64, Solution<f64>)>), FlightError> {
         let precision = self.scene.navigator.precision;
         let mut initial = self.initial;
         let mut unit = 0.0;
@@ -130,7 +132,7 @@ impl<'a> Flight<'a> {
         let mut outputs = Vec::new();
         let mut keep = |n: u64, solution: &Solution<f64>| {
             if self.due.contains(&n) {
-                outputs.push(*solution);
+                outputs.push((n, *solution));
             }
         };
         for (i, sample) in self.samples.iter().enumerate() {

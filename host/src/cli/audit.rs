@@ -78,7 +78,8 @@ pub struct CompareArgs {
 pub struct SensitivityArgs {
     /// A built-in scene or the path of a TOML file, flown with perfect sensors [default: paper]
     pub scene: Option<String>,
-    /// Seconds of flight after which to look; may be repeated [default: 1, 10, 100, 1000 and the end]
+    /// Seconds of flight, to the nearest sample, after which to look; may be repeated [default: 1, 10, 100,
+    /// 1000 and the end]
     #[arg(long, value_name = "S", value_parser = options::time_s)]
     pub after: Vec<f64>,
     /// Folder for audit.json and audit.html

@@ -46,7 +46,7 @@ fn a_planted_bit_is_found_where_it_is() {
     std::fs::create_dir(file.parent().unwrap()).unwrap();
     std::fs::write(&file, text.replace(line, &words.join(" "))).unwrap();
 
-    let place = "sample 40, stage nav, field position x.hi: 1 ulp";
+    let place = "sample 40, stage nav, field position latitude.hi: 1 ulp";
     let verified = schuler(&["verify", folder.path().to_str().unwrap()]);
     assert_eq!(verified.status.code(), Some(1));
     assert!(printed(&verified).contains(place), "{}", printed(&verified));
@@ -58,7 +58,9 @@ fn a_planted_bit_is_found_where_it_is() {
     assert!(text.contains(place) && text.contains(&format!("0x{bits:08x}")), "{text}");
     let json = std::fs::read_to_string(out.join("audit.json")).unwrap();
     assert!(json.contains("\"sample\": 40") && json.contains("\"ulps\": 1"), "{json}");
-    assert!(std::fs::read_to_string(out.join("audit.html")).unwrap().contains("position x.hi"));
+    assert!(
+        std::fs::read_to_string(out.join("audit.html")).unwrap().contains("position latitude.hi")
+    );
 
     let alike = schuler(&["compare", a, a]);
     assert_eq!(alike.status.code(), Some(0));
@@ -130,10 +132,155 @@ fn one_ulp_does_what_mechanics_says() {
 }
 
 #[test]
+fn a_sample_is_looked_at_once_at_its_own_time() {
+    let mut scene = builtin::scene("stationary").unwrap();
+    scene.duration_s = 2.0;
+    let at = |times_s: &[f64]| sensitivity::sensitivity(&scene, times_s).unwrap();
+    let (one, other) = (at(&[2.0, 1.01, 1.0, 0.99]), at(&[1.0, 2.0]));
+    for (one, other) in one.iter().zip(&other) {
+        let times: Vec<_> = one.after.iter().map(|moved| moved.time_s).collect();
+        assert_eq!(times, [1.0, 2.0], "{}", one.input);
+        for (one, other) in one.after.iter().zip(&other.after) {
+            assert_eq!(one.norms(), other.norms());
+        }
+    }
+}
+
+/// A golden chain of a scene, by itself in a folder.
+fn alone(scene: &str, stem: &str, text: impl Fn(&str) -> String) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let file = format!("{stem}.chain");
+    let golden = std::fs::read_to_string(golden_folder().join(scene).join(&file)).unwrap();
+    std::fs::write(folder.path().join(file), text(&golden)).unwrap();
+    folder
+}
+
+#[test]
+fn a_single_scene_is_verified_by_itself() {
+    let folder = alone("paper", "f64-local-level-textbook", str::to_owned);
+    let output = schuler(&["verify", folder.path().to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let text = printed(&output);
+    let chain = Chain::read(folder.path().join("f64-local-level-textbook.chain").to_str().unwrap());
+    let chain = chain.unwrap();
+    let rows: usize = chain.stages.iter().map(|stage| stage.rows.len()).sum();
+    let digests: usize = chain.stages.iter().map(|stage| stage.checkpoints.len() + 1).sum();
+    assert!(text.contains(&format!("{rows} rows and {digests} digests")), "{text}");
+    // A scene that is not built in lies beside its folder.
+    let verdicts = golden::verify(&golden_folder().join("turns"), &mut |_| Ok(())).unwrap();
+    assert!(verdicts.iter().all(|verdict| verdict.parting.is_none()));
+}
+
+#[test]
+fn a_golden_chain_has_to_be_whole() {
+    let first = |n: usize| {
+        move |text: &str| text.lines().take(n).map(|line| format!("{line}\n")).collect::<String>()
+    };
+    let lacks = |line: &'static str| {
+        move |text: &str| {
+            let kept = text.lines().filter(|other| !other.starts_with(line));
+            kept.map(|line| format!("{line}\n")).collect::<String>()
+        }
+    };
+    let early = |text: &str| text.replace("noise = 1200", "noise = 1199");
+    let renamed = |text: &str| text.replacen("angle_b velocity_b", "angle_b speed_b", 1);
+    let gone = |text: &str| lacks("noise ")(&lacks("stage: noise")(text));
+    let texts: [(&dyn Fn(&str) -> String, &str); 5] = [
+        (&first(11), "its stage noise has no end; accepted: noise = 1200 DIGEST"),
+        (&lacks("noise = "), "its stage noise has no end"),
+        (&gone, "lacks the stage noise; accepted: stage: noise f64 angle_b"),
+        (&early, "its stage noise ends at sample 1199; accepted: noise = 1200 DIGEST"),
+        (
+            &renamed,
+            "its stage noise has other fields than the flight's; accepted: stage: noise f64",
+        ),
+    ];
+    for (change, words) in texts {
+        let folder = alone("paper", "noise", change);
+        let output = schuler(&["verify", folder.path().to_str().unwrap()]);
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{words}: {error}");
+        assert!(error.contains("noise.chain") && error.contains(words), "{error}");
+    }
+}
+
+#[test]
+fn a_built_in_scene_is_recorded_whatever_lies_about() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("paper"), "of another kind").unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_schuler"))
+        .args(["audit", "record", "paper", "--duration", "1", "--out", "out"])
+        .args(["--configuration", "f64-local-level-textbook"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(folder.path().join("out/paper/noise.chain").exists());
+    assert!(!folder.path().join("out/paper.toml").exists());
+}
+
+#[test]
+fn a_port_is_compared_in_what_it_has() {
+    let golden = golden_folder().join("paper").join("f32-local-level-taylor-0-4-0.chain");
+    let golden = golden.to_str().unwrap();
+    let chain = Chain::read(golden).unwrap();
+    let nav = &chain.stages[1];
+    let of = |name: &str| nav.fields.iter().position(|field| field == name).unwrap();
+    let (velocity, attitude) = (of("velocity"), of("attitude"));
+    let mut text = "schuler chain 1\nstage: nav f32".to_owned();
+    text += &" velocity".repeat(6);
+    text += &" attitude".repeat(8);
+    text += "\n\n";
+    for row in nav.rows.iter().take_while(|row| row.sample <= 64) {
+        text += &format!("nav {}", row.sample);
+        for word in row.words[velocity..][..6].iter().chain(&row.words[attitude..][..8]) {
+            text += &format!(" {word:08x}");
+        }
+        text += "\n";
+    }
+    text += "nav = 64 0123456789abcdef\n";
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.chain");
+    std::fs::write(&file, &text).unwrap();
+    let (file, out) = (file.to_str().unwrap(), folder.path().to_str().unwrap());
+    let output = schuler(&["compare", golden, file, "--out", out]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let found = printed(&output);
+    for words in [
+        "the same bits in 16 rows and 0 digests",
+        "stage nav ends at 64 of 1200",
+        "stage nav is compared in velocity, attitude, by rows alone",
+        "only one chain has position, sine, cosine, curvature",
+    ] {
+        assert!(found.contains(words), "{found}");
+    }
+    assert!(std::fs::read_to_string(format!("{out}/audit.html")).unwrap().contains("64 of 1200"));
+    let last = nav.rows[15].words[velocity + 3];
+    let planted = format!(" {last:08x} ");
+    let line = text.lines().find(|line| line.starts_with("nav 64 ")).unwrap();
+    let changed = line.replacen(&planted, &format!(" {:08x} ", last + 1), 1);
+    std::fs::write(file, text.replace(line, &changed)).unwrap();
+    let output = schuler(&["compare", golden, file]);
+    assert_eq!(output.status.code(), Some(1));
+    let place = "sample 64, stage nav, field velocity east.lo: 1 ulp";
+    assert!(printed(&output).contains(place), "{}", printed(&output));
+}
+
+#[test]
 fn bad_input_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let empty = folder.path().to_str().unwrap();
+    let noise = alone("paper", "noise", str::to_owned);
+    let increments = alone("paper", "increments", str::to_owned);
+    let (noise, increments) = (noise.path().to_str().unwrap(), increments.path().to_str().unwrap());
+    let file = format!("{noise}/noise.chain");
     for (arguments, words) in [
+        (vec!["compare", noise, &file], "is a folder, unlike the other; accepted: two chains"),
+        (vec!["compare", &file, noise], "is a folder, unlike the other; accepted: two chains"),
+        (
+            vec!["compare", noise, increments],
+            "lacks the chain noise; accepted: a folder with the chains of the other, or a single chain",
+        ),
         (vec!["verify", empty], "holds no chain"),
         (vec!["verify", "/nowhere"], "cannot be read"),
         (vec!["record", "paper", "--out", empty, "--configuration", "f16"], "there is no f16"),

@@ -18,10 +18,11 @@
 //! the IEEE bits, 8 or 16 digits), a checkpoint (`#`, sample, digest of all rows up to there) or the end
 //! (`=`). Rows may be left out, digests count them all the same.
 
-use crate::input::{Complaint, InputError, read_text};
+use crate::scene::Frame;
 use std::fmt::Write as _;
 
-const MAGIC: &str = "schuler chain 1";
+/// The first line.
+pub const MAGIC: &str = "schuler chain 1";
 
 /// What one file holds.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -85,7 +86,8 @@ impl Width {
         }
     }
 
-    fn digits(self) -> usize {
+    /// The digits of a word.
+    pub fn digits(self) -> usize {
         match self {
             Self::Single => 8,
             Self::Double => 16,
@@ -99,14 +101,20 @@ impl Chain {
         self.about.iter().find(|(k, _)| k == key).map(|(_, value)| value.as_str())
     }
 
+    /// The frame of its navigator, by the `configuration` line.
+    pub fn frame(&self) -> Option<Frame> {
+        let name = self.get("configuration")?.split_whitespace().nth(1)?;
+        Frame::NAMES.iter().find(|(known, _)| *known == name).map(|&(_, frame)| frame)
+    }
+
     /// The text of the file.
     pub fn text(&self) -> String {
         let mut text = format!("{MAGIC}\n");
         for (key, value) in &self.about {
             let _ = writeln!(text, "{key}: {value}");
         }
-        for Stage { name, width, fields, .. } in &self.stages {
-            let _ = writeln!(text, "stage: {name} {} {}", width.name(), fields.join(" "));
+        for stage in &self.stages {
+            let _ = writeln!(text, "stage: {}", stage.line());
         }
         text.push('\n');
         let mut lines = Vec::new();
@@ -136,60 +144,6 @@ impl Chain {
         }
         text
     }
-
-    /// From a file.
-    pub fn read(file: &str) -> Result<Self, InputError> {
-        Self::parse(file, &read_text(file)?)
-    }
-
-    /// From a text; `file` names it in errors.
-    pub fn parse(file: &str, text: &str) -> Result<Self, InputError> {
-        let mut chain = Self::default();
-        let mut lines = (1..).zip(text.lines().map(str::trim_end));
-        let bad = |line: u64, what: &str, accepted: &str| {
-            InputError::line(file, line, Complaint::new(what, accepted))
-        };
-        if lines.next().is_none_or(|(_, line)| line != MAGIC) {
-            return Err(bad(1, "is not a chain", &format!("the first line \"{MAGIC}\"")));
-        }
-        for (number, line) in lines.by_ref() {
-            if line.is_empty() {
-                break;
-            }
-            let Some((key, value)) = line.split_once(": ") else {
-                return Err(bad(
-                    number,
-                    "is not a line of the head",
-                    "key: value, or a blank line",
-                ));
-            };
-            if key == "stage" {
-                let stage = Stage::parse(value)
-                    .ok_or_else(|| bad(number, "is not a stage", "stage: NAME f32|f64 FIELD …"))?;
-                chain.stages.push(stage);
-            } else {
-                chain.about.push((key.to_owned(), value.to_owned()));
-            }
-        }
-        for (number, line) in lines {
-            let Some((stage, rest)) = line.split_once(' ').and_then(|(name, rest)| {
-                Some((chain.stages.iter_mut().find(|stage| stage.name == name)?, rest))
-            }) else {
-                return Err(bad(number, "does not begin with the name of a stage", ""));
-            };
-            if stage.take(rest).is_none() {
-                let what = format!("{} samples, in order, and words", stage.name);
-                let digits = stage.width.digits();
-                let accepted = format!(
-                    "SAMPLE and {} words of {digits} hexadecimal digits, or # or = SAMPLE and a \
-                     digest of 16; samples ascend",
-                    stage.fields.len()
-                );
-                return Err(bad(number, &format!("is not a row of {what}"), &accepted));
-            }
-        }
-        Ok(chain)
-    }
 }
 
 impl Stage {
@@ -199,84 +153,21 @@ impl Stage {
         Self { name, width, fields, rows, checkpoints, end: None }
     }
 
-    fn parse(text: &str) -> Option<Self> {
-        let mut words = text.split_whitespace();
-        let name = words.next()?;
-        let width = [Width::Single, Width::Double];
-        let kind = words.next()?;
-        let mut stage = Self::new(name, width.into_iter().find(|w| w.name() == kind)?);
-        stage.fields = words.map(str::to_owned).collect();
-        Some(stage)
+    /// Its line in the head, after `stage: `.
+    pub fn line(&self) -> String {
+        format!("{} {} {}", self.name, self.width.name(), self.fields.join(" "))
     }
 
-    /// Takes a line after the stage's name.
-    fn take(&mut self, line: &str) -> Option<()> {
-        let mut words = line.split_whitespace();
-        let first = words.next()?;
-        if first == "#" || first == "=" {
-            let sample = words.next()?.parse().ok()?;
-            let digest = hex(words.next()?, 16)?;
-            let checkpoint = Checkpoint { sample, digest };
-            if first == "=" {
-                self.end = Some(checkpoint);
-            } else {
-                ascends(self.checkpoints.last().map(|c| c.sample), sample)?;
-                self.checkpoints.push(checkpoint);
-            }
-            return words.next().is_none().then_some(());
-        }
-        let sample = first.parse().ok()?;
-        ascends(self.rows.last().map(|row| row.sample), sample)?;
-        let words: Option<Vec<_>> = words.map(|word| hex(word, self.width.digits())).collect();
-        let words = words.filter(|words| words.len() == self.fields.len())?;
-        self.rows.push(Row { sample, words });
-        Some(())
-    }
-}
-
-fn ascends(last: Option<u64>, next: u64) -> Option<()> {
-    last.is_none_or(|last| last < next).then_some(())
-}
-
-fn hex(text: &str, digits: usize) -> Option<u64> {
-    let plain = text.len() == digits && text.bytes().all(|b| b.is_ascii_hexdigit());
-    plain.then(|| u64::from_str_radix(text, 16).ok()).flatten()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const TEXT: &str = "schuler chain 1\nscene: paper\nstage: noise f64 angle_b\n\
-        stage: nav f32 v v v\n\nnoise 1 3ff0000000000000\nnav 1 3f800000 00000000 bf000000\n\
-        nav # 1 0123456789abcdef\nnoise = 1 00000000000000ff\nnav = 1 0123456789abcdef\n";
-
-    #[test]
-    fn reads_what_it_writes() {
-        let chain = Chain::parse("a", TEXT).unwrap();
-        assert_eq!(chain.text(), TEXT);
-        assert_eq!(chain.get("scene"), Some("paper"));
-        let nav = &chain.stages[1];
-        assert_eq!(nav.rows[0].words, [0x3f80_0000, 0, 0xbf00_0000]);
-        assert_eq!((nav.label(0), nav.label(2)), ("v x".into(), "v z".into()));
-        assert_eq!(nav.end, Some(Checkpoint { sample: 1, digest: 0x0123_4567_89ab_cdef }));
+    /// Every digest, the end's too, in order.
+    pub fn digests(&self) -> Vec<Checkpoint> {
+        let mut digests = self.checkpoints.clone();
+        digests.extend(self.end.filter(|end| digests.last() != Some(end)));
+        digests
     }
 
-    #[test]
-    fn names_the_line_that_is_wrong() {
-        for (from, to, line) in [
-            ("schuler chain 1", "schuler chain 2", 1),
-            ("scene: paper", "scene paper", 2),
-            ("f64 angle_b", "f16 angle_b", 3),
-            ("noise 1", "nose 1", 6),
-            ("3ff0000000000000", "3ff", 6),
-            ("bf000000", "bf00000g", 7),
-            (" bf000000", "", 7),
-            ("nav # 1 0123", "nav # 1 012", 8),
-            ("= 1 00000000000000ff", "= 1 00000000000000ff 1", 9),
-        ] {
-            let error = Chain::parse("a", &TEXT.replacen(from, to, 1)).unwrap_err();
-            assert_eq!(error.line, Some(line), "{error}");
-        }
+    /// Samples behind the last of what is kept of it.
+    pub fn last(&self) -> u64 {
+        let row = self.rows.last().map(|row| row.sample);
+        row.max(self.digests().last().map(|digest| digest.sample)).unwrap_or(0)
     }
 }

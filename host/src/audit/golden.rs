@@ -1,8 +1,9 @@
 //! Golden chains: a folder of recorded scenes, each a folder of chains, to be flown again and compared.
 
-use super::chain::Chain;
+use super::chain::{Chain, Stage};
 use super::compare::{Parting, compare};
 use super::configuration::{ALL, Configuration};
+use super::pair::Common;
 use super::record::{Cadence, SHARED, record};
 use crate::input::{Complaint, InputError, read_text};
 use crate::scene::{Scene, builtin, limits, parse};
@@ -20,6 +21,8 @@ pub struct Verdict {
     pub chain: String,
     /// The golden digest of its last stage.
     pub digest: String,
+    /// What of it was compared.
+    pub held: Common,
     /// Where the flight parts from it.
     pub parting: Option<Parting>,
 }
@@ -80,7 +83,7 @@ pub fn verify(
         let (scene, cadence) = flight(folder, first, file)?;
         let wanted: Vec<Configuration> = ALL
             .iter()
-            .filter(|c| golden.iter().any(|(name, ..)| name.ends_with(&format!("/{}", c.stem()))))
+            .filter(|c| golden.iter().any(|(name, ..)| stem(name) == c.stem()))
             .copied()
             .collect();
         let flown = record(&scene, &wanted, cadence, "")?;
@@ -90,23 +93,53 @@ pub fn verify(
                 let accepted = "scene, duration_s, rate_hz, seed, checkpoint and rows as they have";
                 return Err(InputError::file(file, Complaint::new(what, accepted)).into());
             }
-            let stem = name.rsplit('/').next().unwrap_or(name);
-            let Some((_, again)) = flown.iter().find(|(flown, _)| flown == stem) else {
+            let Some((_, again)) = flown.iter().find(|(flown, _)| flown == stem(name)) else {
                 let stems = ALL.iter().map(Configuration::stem);
                 let names: Vec<_> = SHARED.map(str::to_owned).into_iter().chain(stems).collect();
                 let what = "is not the name of a stage or a navigator that can be flown again";
                 return Err(InputError::file(file, Complaint::new(what, names.join(", "))).into());
             };
-            let verdict = Verdict {
-                chain: name.clone(),
-                digest: digest(golden),
-                parting: compare(golden, again, file)?.1,
-            };
+            whole(golden, again, file)?;
+            let (held, parting) = compare(golden, again, file)?;
+            let verdict = Verdict { chain: name.clone(), digest: digest(golden), held, parting };
             show(&verdict)?;
             verdicts.push(verdict);
         }
     }
     Ok(verdicts)
+}
+
+/// The name of a chain's file, less the ending.
+fn stem(name: &str) -> &str {
+    name.rsplit('/').next().unwrap_or(name)
+}
+
+/// An error unless a golden chain holds every stage of its flight, in all its fields, to the end.
+fn whole(golden: &Chain, again: &Chain, file: &str) -> Result<(), InputError> {
+    let bad = |what: String, accepted: String| {
+        Err(InputError::file(file, Complaint::new(what, accepted)))
+    };
+    for flown in &again.stages {
+        let name = &flown.name;
+        let kept = golden.stages.iter().find(|stage| stage.name == *name);
+        if kept.map(Stage::line) != Some(flown.line()) {
+            let what = match kept {
+                None => format!("lacks the stage {name}"),
+                Some(_) => format!("its stage {name} has other fields than the flight's"),
+            };
+            return bad(what, format!("stage: {}", flown.line()));
+        }
+        let last = flown.last();
+        let end = kept.and_then(|stage| stage.end).map(|end| end.sample);
+        if end != Some(last) {
+            let what = match end {
+                None => format!("its stage {name} has no end"),
+                Some(sample) => format!("its stage {name} ends at sample {sample}"),
+            };
+            return bad(what, format!("{name} = {last} DIGEST, where the flight ends"));
+        }
+    }
+    Ok(())
 }
 
 /// The digest of a chain's last stage.
@@ -115,18 +148,21 @@ pub fn digest(chain: &Chain) -> String {
     end.map_or_else(|| "none".to_owned(), |end| format!("{:016x}", end.digest))
 }
 
-/// The scene that a chain was recorded of, as it was flown: a built-in one, or a TOML file in the folder.
+/// The scene that a chain was recorded of, as it was flown: a built-in one, or a TOML file in the folder
+/// or, where that is a single scene's, beside it.
 fn flight(folder: &Path, chain: &Chain, file: &str) -> Result<(Scene, Cadence), InputError> {
     let bad = |key: &str, accepted: &str| {
         let complaint = Complaint::new(format!("{key} is missing or not to be read"), accepted);
         InputError::file(file, complaint)
     };
     let name = chain.get("scene").ok_or_else(|| bad("scene", "scene: NAME"))?;
-    let toml = folder.join(format!("{name}.toml")).display().to_string();
-    let mut scene = if Path::new(&toml).exists() {
+    let toml = folder.join(format!("{name}.toml"));
+    let files = [toml.clone(), folder.join("..").join(format!("{name}.toml"))];
+    let mut scene = if let Some(toml) = files.iter().find(|file| file.exists()) {
+        let toml = toml.display().to_string();
         parse::scene(&toml, &read_text(&toml)?)?
     } else {
-        let accepted = format!("{}, or a scene that lies in {toml}", builtin::list());
+        let accepted = format!("{}, or a scene that lies in {}", builtin::list(), toml.display());
         builtin::scene(name).ok_or_else(|| bad("scene", &accepted))?
     };
     let number = |key: &str| {

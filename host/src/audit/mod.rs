@@ -4,9 +4,12 @@
 //! |---|---|
 //! | `configuration` | the navigators that are flown |
 //! | `record` | a scene's stages into chains |
-//! | `chain` | the files: format, reading, writing |
+//! | `chain` | the files: format, writing |
+//! | `read` | and reading |
 //! | `label` | what words are called |
 //! | `golden` | folders of chains, flown again |
+//! | `pair` | two chains side by side |
+//! | `difference` | two values of a word |
 //! | `compare` | where two chains part |
 //! | `matrix` | the audit program on every target |
 //! | `sensitivity` | what one unit in the last place does |
@@ -16,11 +19,14 @@
 pub mod chain;
 pub mod compare;
 pub mod configuration;
+pub mod difference;
 pub mod golden;
 mod label;
 pub mod matrix;
 mod page;
+pub mod pair;
 mod provenance;
+mod read;
 pub mod record;
 pub mod sensitivity;
 mod show;
@@ -56,7 +62,7 @@ fn record(args: &RecordArgs) -> Result<(), FlightError> {
             rows: args.rows.unwrap_or_else(|| scene.samples()),
         };
         let chains = record::record(&scene, &chosen, cadence, &provenance)?;
-        if builtin::scene(&scene.name).is_none() || Path::new(name).exists() {
+        if builtin::scene(name).is_none() {
             keep_scene(name, &args.out.join(format!("{}.toml", scene.name)))?;
         }
         for (stem, chain) in &chains {
@@ -110,12 +116,18 @@ fn compare(args: &CompareArgs) -> Result<(), FlightError> {
         let (of_a, of_b) = (golden::list(a)?, golden::list(b)?);
         for (has, lacks, folder) in [(&of_a, &of_b, b), (&of_b, &of_a, a)] {
             if let Some((name, _)) = has.iter().find(|x| !lacks.iter().any(|y| x.0 == y.0)) {
-                let complaint = Complaint::new(format!("lacks the chain {name}"), "");
+                let accepted =
+                    "a folder with the chains of the other, or a single chain and another";
+                let complaint = Complaint::new(format!("lacks the chain {name}"), accepted);
                 return Err(InputError::file(&folder.display().to_string(), complaint).into());
             }
         }
         let both = of_a.into_iter().zip(of_b);
         both.map(|((name, a), (_, b))| (name, a, b)).collect()
+    } else if let Some(folder) = [a, b].into_iter().find(|path| path.is_dir()) {
+        let complaint =
+            Complaint::new("is a folder, unlike the other", "two chains, or two folders");
+        return Err(InputError::file(&folder.display().to_string(), complaint).into());
     } else {
         let name = a.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         vec![(name, a.clone(), b.clone())]
@@ -155,8 +167,6 @@ fn sensitivity(args: &SensitivityArgs) -> Result<(), FlightError> {
         let what = format!("the flight has no sample at {late} s");
         return Err(InputError::option("--after", Complaint::new(what, accepted)).into());
     }
-    times_s.sort_by(f64::total_cmp);
-    times_s.dedup();
     let effects = sensitivity::sensitivity(&scene, &times_s)?;
     let tables = show::sensitivity(&scene, &effects);
     say(&tables.iter().map(page::Table::text).collect::<String>())?;
@@ -175,8 +185,9 @@ fn matrix(args: &MatrixArgs) -> Result<(), FlightError> {
     if let Some(folder) = &args.out {
         page::write(folder, "The same bits on every target", &tables, &matrix)?;
     }
+    let checks = matrix.rows.len() + usize::from(args.require_all);
     match matrix.failed(args.require_all) {
         0 => Ok(()),
-        failed => Err(FlightError::Failed { failed, checks: matrix.rows.len() }),
+        failed => Err(FlightError::Failed { failed, checks }),
     }
 }

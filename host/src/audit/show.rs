@@ -1,8 +1,10 @@
 //! What an audit found, in words and tables.
 
-use super::compare::{Common, Difference, Growth, Parting};
+use super::compare::{Growth, Parting};
+use super::difference::Difference;
 use super::golden::{Verdict, digest};
 use super::page::Table;
+use super::pair::{Common, Partly, Shorter};
 use super::record::Named;
 use super::sensitivity::Effect;
 use crate::report::number::{Quantity, printed};
@@ -29,9 +31,9 @@ pub fn recorded(scene: &str, chains: &[Named]) -> Table {
 
 /// A line for a golden chain, and where the flight parts from it.
 pub fn verdict(verdict: &Verdict) -> String {
-    let Verdict { chain, digest, parting } = verdict;
+    let Verdict { chain, digest, held, parting } = verdict;
     match parting {
-        None => format!("{chain:48} {digest}  the same bits\n"),
+        None => format!("{chain:48} {digest}  {}\n", same(held)),
         Some(parting) => format!("{chain:48} {digest}  PARTS\n{}", part(parting, None)),
     }
 }
@@ -39,23 +41,50 @@ pub fn verdict(verdict: &Verdict) -> String {
 /// The same for a page.
 pub fn verdicts(verdicts: &[Verdict]) -> Vec<Table> {
     let mut table = Table::new("Flown again", &["chain", "golden digest", "verdict"]);
-    for Verdict { chain, digest, parting } in verdicts {
-        let verdict = parting.as_ref().map_or("the same bits".to_owned(), place);
+    for Verdict { chain, digest, held, parting } in verdicts {
+        let verdict = parting.as_ref().map_or_else(|| same(held), place);
         table.rows.push(vec![chain.clone(), digest.clone(), verdict]);
     }
     vec![table]
 }
 
+fn same(Common { rows, digests, .. }: &Common) -> String {
+    format!("the same bits in {rows} rows and {digests} digests")
+}
+
 /// Two chains compared, in words.
 pub fn compared(compared: &Compared, rate_hz: Option<&str>) -> String {
-    let Compared { chain, held: Common { rows, digests }, parting } = compared;
-    match parting {
-        None => format!("{chain}: the same bits in {rows} rows and {digests} digests\n"),
+    let Compared { chain, held, parting } = compared;
+    let mut text = match parting {
+        None => format!("{chain}: {}\n", same(held)),
         Some(parting) => {
             let rate_hz = rate_hz.and_then(|text| text.parse().ok());
             format!("{chain}: part\n{}", part(parting, rate_hz))
         }
+    };
+    for remark in remarks(held) {
+        text += &format!("  {remark}\n");
     }
+    text
+}
+
+/// What is not compared, though a chain has it.
+fn remarks(Common { partly, shorter, .. }: &Common) -> Vec<String> {
+    let ends = shorter.iter().map(|Shorter { stage, samples: [least, most] }| {
+        format!("stage {stage} ends at {least} of {most}")
+    });
+    let fields = partly.iter().map(|Partly { stage, fields, left_out }| {
+        let fields = fields.join(", ");
+        let why = match left_out.as_slice() {
+            [] => "stand in another order".to_owned(),
+            names => format!("are not all: only one chain has {}", names.join(", ")),
+        };
+        format!(
+            "stage {stage} is compared in {fields}, by rows alone; no digest of it can be, as its \
+             fields {why}"
+        )
+    });
+    ends.chain(fields).collect()
 }
 
 /// The first parting of many.
@@ -71,12 +100,14 @@ pub fn first(found: &[Compared]) -> String {
 
 /// The same for a page.
 pub fn partings(found: &[Compared]) -> Vec<Table> {
-    let mut table = Table::new("Compared", &["chain", "rows", "digests", "verdict"]);
+    let heads = ["chain", "rows", "digests", "verdict", "what is not compared"];
+    let mut table = Table::new("Compared", &heads);
     let mut tables = Vec::new();
     for Compared { chain, held, parting } in found {
         let verdict = parting.as_ref().map_or("the same bits".to_owned(), place);
         let (rows, digests) = (held.rows.to_string(), held.digests.to_string());
-        table.rows.push(vec![chain.clone(), rows, digests, verdict]);
+        let remarks = remarks(held).join("; ");
+        table.rows.push(vec![chain.clone(), rows, digests, verdict, remarks]);
         tables.extend(parting.as_ref().map(|parting| {
             let mut table = growth(&parting.growth);
             table.title = format!("{chain}: {}", table.title);
@@ -93,6 +124,11 @@ fn place(parting: &Parting) -> String {
     match field {
         Some(Difference { field, ulps, .. }) => {
             format!("sample {sample}, stage {stage}, field {field}: {ulps} ulp")
+        }
+        None if alike == sample => {
+            format!(
+                "stage {stage}, the digest of sample {sample} alone: every row up to it is the same"
+            )
         }
         None => format!("stage {stage}, after sample {alike} and by sample {sample}"),
     }

@@ -13,16 +13,21 @@ fn refused(arguments: &[&str]) -> String {
 }
 
 #[test]
-fn targets_and_folders_that_are_not_there() {
+fn a_target_that_is_not_there() {
     let error = refused(&["--target", "vax"]);
-    assert!(
-        error.contains("--target: there is no target vax; accepted: release, debug"),
-        "{error}"
-    );
+    let accepted = "--target: there is no target vax; accepted: release, debug";
+    assert!(error.contains(accepted), "{error}");
+}
+
+#[test]
+fn a_folder_without_sources() {
     let empty = tempfile::tempdir().expect("a folder");
-    let empty = empty.path().display().to_string();
-    let error = refused(&["--source", &empty]);
+    let error = refused(&["--source", &empty.path().display().to_string()]);
     assert!(error.contains("holds no tests/audit"), "{error}");
+}
+
+#[test]
+fn a_folder_of_golden_chains_that_is_not_there() {
     let error = refused(&["--golden", "no-such-folder", "--target", "release"]);
     assert!(error.contains("no-such-folder: is no folder"), "{error}");
 }

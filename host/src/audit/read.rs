@@ -151,6 +151,7 @@ mod tests {
             ("= 1 00000000000000ff", "= 1 00000000000000ff 1", 9),
             ("nav = 1 0123456789abcdef", "nav = 1 0123456789abcdee", 10),
             ("nav = 1", "nav = 0", 10),
+            ("noise = 1", "noise = 0", 9),
         ] {
             let error = Chain::parse("a", &TEXT.replacen(from, to, 1)).unwrap_err();
             assert_eq!(error.line, Some(line), "{error}");

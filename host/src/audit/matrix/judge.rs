@@ -87,6 +87,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let scene = folder.path().join("paper");
         std::fs::create_dir(&scene).unwrap();
+        let other = TEXT.replace("00ff", "00fe");
         let write = |at: &str, digest: &str| {
             let text = format!(
                 "schuler chain 1\nstage: noise f64 angle\n\nnoise # {at} {digest}\n\
@@ -94,19 +95,22 @@ mod tests {
             );
             std::fs::write(scene.join("noise.chain"), text).unwrap();
             judged(
-                vec![row("a", Ok(TEXT)), row("b", Ok(TEXT))],
+                vec![row("a", Ok(TEXT)), row("b", Ok(TEXT)), row("c", Ok(&other))],
                 &Golden::read(folder.path()).unwrap(),
             )
         };
         let matrix = write("64", "0000000000000001");
-        assert_eq!((matrix.golden, matrix.failed(true)), (2, 0));
+        assert_eq!((matrix.golden, matrix.failed(true)), (2, 1));
         // Another spacing: the digest at 64 is not compared with anything.
         let matrix = write("32", "0000000000000001");
-        assert_eq!((matrix.golden, matrix.failed(false), matrix.failed(true)), (1, 0, 1));
+        assert_eq!((matrix.golden, matrix.failed(false), matrix.failed(true)), (1, 1, 2));
         let matrix = write("64", "0000000000000003");
-        assert_eq!((matrix.golden, matrix.failed(true)), (2, 2));
+        assert_eq!((matrix.golden, matrix.failed(true)), (2, 3));
         let place = "paper/noise, stage noise, by sample 64".to_owned();
         assert_eq!(matrix.rows[1].verdict, Some(Verdict::PartsFromGolden(place)));
+        // What parts from the first row is known by that, golden or not.
+        let place = "paper/noise, stage noise, by sample 70".to_owned();
+        assert_eq!(matrix.rows[2].verdict, Some(Verdict::Parts(place)));
     }
 
     #[test]

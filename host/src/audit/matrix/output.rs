@@ -108,6 +108,10 @@ mod tests {
         let other = output(&TEXT.replace("00ff", "00fe"));
         assert_eq!(one.parts(&other).unwrap(), "paper/noise, stage noise, by sample 70");
         assert_ne!(one.digest(), other.digest());
+        for (from, to) in [(" noise 64", " nav 64"), ("paper/", "hard/"), ("=70", "=71")] {
+            let parts = one.parts(&output(&TEXT.replace(from, to))).unwrap();
+            assert!(parts.ends_with("is not printed"), "{to}: {parts}");
+        }
         let short = output(TEXT.lines().next().unwrap());
         assert_eq!(
             one.parts(&short).unwrap(),

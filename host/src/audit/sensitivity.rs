@@ -94,6 +94,9 @@ const STARTS: [(&str, Part); 10] = [
     ("attitude z", |s| &mut s.attitude.v.z),
 ];
 
+/// The unit that was added, and the navigation after each sample that is due.
+type Flown = (f64, Vec<(u64, Solution<f64>)>);
+
 /// A scene's samples, to be flown again and again.
 struct Flight<'a> {
     scene: &'a Scene,
@@ -115,8 +118,7 @@ impl<'a> Flight<'a> {
         Ok(Self { scene, plan, initial, samples, due })
     }
 
-    /// The unit that was added, and the navigation after each sample that is due.
-    fn fly(&self, place: Place) -> Result<(f64, Vec<(u64, Solution<f64>)>), FlightError> {
+    fn fly(&self, place: Place) -> Result<Flown, FlightError> {
         let precision = self.scene.navigator.precision;
         let mut initial = self.initial;
         let mut unit = 0.0;

@@ -4,6 +4,7 @@
 
 mod builtin;
 mod errors;
+mod sampling;
 mod units;
 
 use schuler_host::input::InputError;

@@ -64,7 +64,7 @@ fn a_scene_is_not_written_over() {
     let path = folder.path().join("still.toml");
     fs::write(&path, SCENE).unwrap();
     let arguments = ["emulate", "still.toml", "--out", "./still.toml"];
-    expect(folder.path(), &arguments, 2, &["--out: is the file that the scene reads"]);
+    expect(folder.path(), &arguments, 2, &["--out: is the file that the scene is read from"]);
     assert_eq!(fs::read_to_string(&path).unwrap(), SCENE);
     // A built-in scene is no file, whatever lies there.
     fs::write(folder.path().join("hard"), "").unwrap();

@@ -126,7 +126,7 @@ impl EmulateArgs {
         let mut scene = scene::load(name)?;
         self.flight.apply(&mut scene)?;
         if builtin::scene(name).is_none() {
-            spare(&self.out, "the scene", Path::new(name))?;
+            spare(&self.out, "the scene is read from", Path::new(name))?;
         }
         if self.perfect {
             scene.gyro = Default::default();
@@ -171,16 +171,16 @@ pub struct ReplayArgs {
 impl ReplayArgs {
     /// What no option alone can get wrong: `--out` is none of the files that are read.
     pub fn check(&self) -> Result<(), InputError> {
-        spare(&self.out, "--imu", &self.imu)?;
-        self.initial.as_ref().map_or(Ok(()), |initial| spare(&self.out, "--initial", initial))
+        spare(&self.out, "--imu reads", &self.imu)?;
+        self.initial.as_ref().map_or(Ok(()), |initial| spare(&self.out, "--initial reads", initial))
     }
 }
 
 /// Refuses to write over a file that is read.
-fn spare(out: &Path, reader: &str, file: &Path) -> Result<(), InputError> {
+fn spare(out: &Path, reads: &str, file: &Path) -> Result<(), InputError> {
     match (out.canonicalize(), file.canonicalize()) {
         (Ok(out), Ok(file)) if out == file => {
-            let what = format!("is the file that {reader} reads");
+            let what = format!("is the file that {reads}");
             Err(InputError::option("--out", Complaint::new(what, "another file")))
         }
         _ => Ok(()),

@@ -103,6 +103,10 @@ fn a_start_at_a_pole_names_the_line_or_the_option() {
     assert!(!folder.path().join("out").exists());
     expect(folder.path(), &["run", "pole.toml", "--frame", "earth-fixed"], 0, &[]);
     expect(folder.path(), &["emulate", "pole.toml", "--out", "imu.csv"], 0, &[]);
+    let high = format!("{SCENE}altitude_m = 999999\n[initial_error]\ndown_m = -2\n");
+    fs::write(folder.path().join("high.toml"), high).unwrap();
+    let words = ["high.toml:3: trajectory: the initial position"];
+    expect(folder.path(), &["run", "high.toml"], 2, &words);
 }
 
 #[test]

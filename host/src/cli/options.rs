@@ -77,13 +77,14 @@ impl NavigatorOptions {
         navigator::check(navigator).map_err(|unavailable| {
             // The scene was right before, so an option is to blame: the one about the key, or another.
             let given = [
-                ("window", "--window", self.window.is_some()),
-                ("precision", "--precision", self.precision.is_some()),
-                ("frame", "--frame", self.frame.is_some()),
-                ("algorithm", "--algorithm", self.algorithm.is_some()),
+                ("navigator.window", "--window", self.window.is_some()),
+                ("navigator.precision", "--precision", self.precision.is_some()),
+                ("navigator.frame", "--frame", self.frame.is_some()),
+                ("navigator.algorithm", "--algorithm", self.algorithm.is_some()),
             ];
             let own = given.iter().find(|(key, _, given)| *given && *key == unavailable.key());
-            let other = || given.iter().find(|(key, _, given)| *given && *key != "window");
+            let other =
+                || given.iter().find(|(key, _, given)| *given && *key != "navigator.window");
             let option = own.or_else(other).map_or("--window", |(_, option, _)| option);
             InputError::option(option, unavailable.complaint())
         })

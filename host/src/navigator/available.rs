@@ -29,12 +29,14 @@ pub enum Unavailable {
 }
 
 impl Unavailable {
-    /// The key of `[navigator]` to blame.
+    /// The key of a scene to blame.
     pub fn key(&self) -> &'static str {
         match self {
-            Self::Window { .. } | Self::NoWindow => "window",
-            Self::TwoFloat => "precision",
-            Self::Start(_) => "frame",
+            Self::Window { .. } | Self::NoWindow => "navigator.window",
+            Self::TwoFloat => "navigator.precision",
+            Self::Start(StartError::Pole) => "trajectory.latitude_deg",
+            Self::Start(StartError::Position | StartError::Velocity) => "trajectory",
+            Self::Start(_) => "navigator",
         }
     }
 

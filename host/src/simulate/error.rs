@@ -84,8 +84,7 @@ impl From<SourceError> for FlightError {
 
 impl From<Unavailable> for FlightError {
     fn from(error: Unavailable) -> Self {
-        let key = format!("navigator.{}", error.key());
-        Self::Input(InputError::option(&key, error.complaint()))
+        Self::Input(InputError::option(error.key(), error.complaint()))
     }
 }
 

@@ -52,10 +52,8 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
         link: link(&root)?,
     };
     limits::check(&scene).map_err(|(key, complaint)| document.error(key, complaint))?;
-    navigator::check(&scene.navigator).map_err(|unavailable| {
-        let key = format!("navigator.{}", unavailable.key());
-        document.error(&key, unavailable.complaint())
-    })?;
+    navigator::check(&scene.navigator)
+        .map_err(|unavailable| document.error(unavailable.key(), unavailable.complaint()))?;
     Ok(scene)
 }
 

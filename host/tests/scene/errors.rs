@@ -15,7 +15,7 @@ fn expect(text: &str, line: u64, key: &str, words: &[&str]) {
 }
 
 /// The same of what follows the two needed lines.
-fn expect_more(more: &str, line: u64, key: &str, words: &[&str]) {
+pub fn expect_more(more: &str, line: u64, key: &str, words: &[&str]) {
     expect(&format!("duration_s = 10\nrate_hz = 20\n{more}"), line, key, words);
 }
 
@@ -237,28 +237,6 @@ fn angles_out_of_range() {
     let phase =
         "[[trajectory.altitude_m.harmonics]]\namplitude = 1\nperiod_s = 9\nphase_deg = 1e9\n";
     expect_more(phase, 6, "trajectory.altitude_m.harmonics[0].phase_deg", &[degrees]);
-}
-
-#[test]
-fn what_does_not_go_together() {
-    let navigator = |keys: &str| format!("[navigator]\n{keys}");
-    let two_float = navigator("frame = \"earth-fixed\"\nprecision = \"f32x2\"\n");
-    expect_more(&two_float, 5, "navigator.precision", &["f32x2 is not to be had", "local-level"]);
-    let two_float = navigator("algorithm = \"textbook\"\nprecision = \"f32x2\"\n");
-    expect_more(&two_float, 5, "navigator.precision", &["f32x2 is not to be had", "taylor"]);
-    let window = |shape: &str| {
-        let [history, block, lookahead] = [0, 2, 4].map(|i| &shape[i..=i]);
-        format!("window = {{ history = {history}, block = {block}, lookahead = {lookahead} }}\n")
-    };
-    let two_float = navigator("precision = \"f32x2\"\n") + &window("0,8,0");
-    let error = scene(&two_float).expect_err("no such window").to_string();
-    let accepted = "f32x2 has no window 0,8,0; accepted: auto; 0,4,0; 4,4,0; 2,4,2; 4,4,4";
-    assert_eq!(error, format!("folder/bad.toml:5: navigator.window: {accepted}"));
-    for shape in ["0,4,0", "4,4,0", "2,4,2", "4,4,4"] {
-        scene(&(navigator("precision = \"f32x2\"\n") + &window(shape))).expect(shape);
-    }
-    let textbook = navigator("algorithm = \"textbook\"\n") + &window("2,4,2");
-    expect_more(&textbook, 5, "navigator.window", &["textbook has no window", "auto, or taylor"]);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 
 mod builtin;
 mod errors;
+mod navigators;
 mod sampling;
 mod units;
 

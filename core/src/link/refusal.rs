@@ -26,7 +26,7 @@ pub enum Refusal {
 
 impl Refusal {
     /// Every one, in the order of their codes on the line.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 16] = [
         Self::NotStarted,
         Self::Configuration,
         Self::Malformed,
@@ -41,6 +41,8 @@ impl Refusal {
         Self::Rejected(Rejected::Angle),
         Self::Rejected(Rejected::Velocity),
         Self::Rejected(Rejected::Pole),
+        Self::Rejected(Rejected::Place),
+        Self::Rejected(Rejected::Held),
     ];
 
     /// As it crosses the line.

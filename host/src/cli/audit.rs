@@ -115,6 +115,9 @@ pub struct MatrixArgs {
     /// Only these targets, beside the first; may be repeated [default: all]
     #[arg(long, value_name = "NAME")]
     pub target: Vec<String>,
+    /// Not optimised, every target but the first
+    #[arg(long)]
+    pub debug: bool,
     /// Folder for audit.json and audit.html
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -124,7 +124,7 @@ impl Matrix {
 /// Builds and runs the audit program on every target; `done` hears of each row as it ends.
 pub fn matrix(args: &MatrixArgs, done: &(dyn Fn(&Row) + Sync)) -> Result<Matrix, InputError> {
     let source = source(args.source.as_deref())?;
-    let targets = chosen(&args.target)?;
+    let targets = chosen(&args.target, args.debug)?;
     let stored = args.golden.clone().unwrap_or_else(|| source.join("tests/golden"));
     if args.golden.is_some() && !stored.is_dir() {
         let complaint = Complaint::new("is no folder", "one that schuler audit record wrote");
@@ -231,7 +231,7 @@ fn source(given: Option<&Path>) -> Result<PathBuf, InputError> {
 }
 
 /// The rows that are asked for, numbered, after the first, with which they are compared.
-fn chosen(names: &[String]) -> Result<Vec<(usize, Target)>, InputError> {
+fn chosen(names: &[String], debug: bool) -> Result<Vec<(usize, Target)>, InputError> {
     if let Some(name) = names.iter().find(|name| TARGETS.iter().all(|t| t.name != **name)) {
         let accepted: Vec<_> = TARGETS.iter().map(|target| target.name).collect();
         let complaint = Complaint::new(format!("there is no target {name}"), accepted.join(", "));
@@ -244,6 +244,9 @@ fn chosen(names: &[String]) -> Result<Vec<(usize, Target)>, InputError> {
         .iter()
         .enumerate()
         .filter(wanted)
-        .map(|(number, target)| (number, *target))
+        .map(|(number, target)| match number {
+            1.. if debug => (number, target.debug()),
+            _ => (number, *target),
+        })
         .collect())
 }

@@ -139,6 +139,11 @@ impl Target {
         self.triple.unwrap_or(&machine.triple)
     }
 
+    /// The same, not optimised.
+    pub fn debug(&self) -> Self {
+        Self { profile: Profile::Debug, settings: &[], ..*self }
+    }
+
     /// What sets its build apart, for people.
     pub fn options(&self) -> String {
         let mut options = format!("opt-level {}", self.profile.level());

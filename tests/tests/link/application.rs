@@ -142,6 +142,22 @@ fn nothing_is_flown_twice() {
 }
 
 #[test]
+fn a_greeting_begins_the_counts_anew() {
+    let mut line = Line::new(Policy::Refuse);
+    let (one, three) = (line.sample(1, 2), line.sample(2, 4));
+    line.tell(&one);
+    line.tell(&one);
+    line.tell(&[0, 7, 7, 0]);
+    let before = noticed(|c| (c.duplicated, c.missing, c.dropped.stuffing) = (1, 1, 1));
+    assert_eq!(line.tell(&three)[0].1, before);
+    let greeting = frame(&Request::Greet, 1);
+    assert_eq!(line.tell(&greeting), [(1, noticed(|_| ()), "hello".into())]);
+    let again = line.sample(2, 2);
+    let repeated = noticed(|c| c.repeated = 1);
+    assert_eq!(line.tell(&again), [(2, repeated, "at 0 of 2: 11".into())]);
+}
+
+#[test]
 fn a_gap_is_refused_or_bridged() {
     let mut line = Line::new(Policy::Refuse);
     let (one, four) = (line.sample(1, 2), line.sample(4, 3));
@@ -214,11 +230,13 @@ fn what_cannot_be_done_is_refused_by_name() {
         (Request::Sample { number: 1, increment: Bytes(&nan) }, "Rejected(Angle) at 0"),
         (Request::Restore { words: 3, offset: 0, piece: Bytes(&[0; 24]) }, "Malformed at 0"),
         (start::<Flown>(&other, Policy::Refuse), "Start(Interval) at 0"),
-        (Request::Sample { number: 1, increment: Bytes(&[0; 24]) }, "NotStarted at 0"),
-        (start::<Flown>(&initial[1..], Policy::Refuse), "Malformed at 0"),
+        // What flew before still does.
+        (Request::Sample { number: 1, increment: Bytes(&[0; 24]) }, "at 0 of 1: 1"),
+        (Request::Finish { samples: 0 }, "Count at 1"),
+        (start::<Flown>(&initial[1..], Policy::Refuse), "Malformed at 1"),
         (
             start::<Strapdown<LocalLevel<Pair<f32>>, Parabola20>>(&initial, Policy::Refuse),
-            "Configuration at 0",
+            "Configuration at 1",
         ),
         (start::<Flown>(&initial, Policy::Refuse), "at 0 of 0: 0"),
     ];

@@ -1,12 +1,16 @@
 //! What lies before a conversation, and what comes in its place.
 
 use crate::{fly, manner, scene};
+use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Every;
+use schuler::link::frame::{Header, MOST_ENCODED, encode};
+use schuler::link::message::Kind;
 use schuler_host::hil::Manner;
 use schuler_host::hil::channel::{Broken, Channel};
 use schuler_host::hil::conversation::{Conversation, Outcome};
 use schuler_host::hil::in_process::InProcess;
 use schuler_host::hil::injector::Injector;
+use schuler_host::scene::Gap;
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
@@ -39,6 +43,34 @@ fn a_flight_is_not_charged_with_the_faults_of_the_one_before() {
     let (flown, ended) = fly(&scene, target, &Manner::default());
     flown.unwrap();
     assert_eq!(ended.tally.target, Default::default());
+}
+
+/// A line on which no sample gets through.
+struct WithoutSamples(InProcess<Every>);
+
+impl Channel for WithoutSamples {
+    fn send(&mut self, frame: &[u8]) -> Result<(), Broken> {
+        let mut decoder = Decoder::default();
+        let is_sample = frame
+            .iter()
+            .any(|&byte| decoder.take(byte).is_some_and(|frame| frame.header.kind == Kind::Sample));
+        if is_sample { Ok(()) } else { self.0.send(frame) }
+    }
+    fn receive(&mut self, into: &mut Vec<u8>, patience: Duration) -> Result<(), Broken> {
+        self.0.receive(into, patience)
+    }
+}
+
+#[test]
+fn what_both_sides_refuse_is_told_of_both() {
+    let mut scene = scene("paper", 1.0);
+    scene.navigator.gap = Gap::Bridge;
+    let (flown, _) = fly(&scene, WithoutSamples(InProcess::new()), &Manner::default());
+    // There is nothing to bridge from.
+    let text = flown.unwrap_err().to_string();
+    let parts =
+        ["the target refuses (samples are missing", "its twin refuses (samples are missing"];
+    assert!(parts.iter().all(|part| text.contains(part)), "{text}");
 }
 
 /// Something that talks without end, and is no target; it falls silent only to end the test.
@@ -79,8 +111,6 @@ fn a_line_that_talks_without_end_is_not_listened_to_without_end() {
 
 /// The frame of a greeting.
 fn greeting() -> Vec<u8> {
-    use schuler::link::frame::{Header, MOST_ENCODED, encode};
-    use schuler::link::message::Kind;
     let header = Header { kind: Kind::Greet, sequence: 1, time_ns: 0 };
     encode(&header, &mut [0; MOST_ENCODED], |_| ()).unwrap().to_vec()
 }

@@ -63,9 +63,11 @@ impl<R: Scalar> Alignment<R> {
             return Err(AlignmentError::Empty);
         }
         // ẑⁿ = −fᵇ/|f|,  ŷⁿ = ẑⁿ × ω/|ẑⁿ × ω|,  x̂ⁿ = ŷⁿ × ẑⁿ
-        let down = unit(-self.velocity_b.value())?;
-        let rate = unit(self.angle_b.value())?;
-        let east = unit(down.cross(rate))?;
+        let least = R::of(1e-12);
+        let down = unit(-self.velocity_b.value(), least)?;
+        let rate = unit(self.angle_b.value(), least)?;
+        // Below this what is left of the product of parallel vectors is their rounding.
+        let east = unit(down.cross(rate), R::entry(1e-6, 1e-12))?;
         let north = east.cross(down);
         // The rows of C_bⁿ are north, east and down in body axes.
         let cosine = (down.y * down.y + down.z * down.z).sqrt();
@@ -77,9 +79,10 @@ impl<R: Scalar> Alignment<R> {
     }
 }
 
-fn unit<R: Scalar>(v: Vector<R>) -> Result<Vector<R>, AlignmentError> {
+/// The direction of a vector longer than the least that has one.
+fn unit<R: Scalar>(v: Vector<R>, least: R) -> Result<Vector<R>, AlignmentError> {
     let norm = v.norm();
-    if norm > R::of(1e-12) && norm.is_within(R::of(1e12)) {
+    if norm > least && norm.is_within(R::of(1e12)) {
         Ok(v * (R::ONE / norm))
     } else {
         Err(AlignmentError::Undetermined)

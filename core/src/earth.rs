@@ -11,6 +11,8 @@ use crate::math::vector::Vector;
 pub const SEMI_MAJOR_AXIS: f64 = 6_378_137.0;
 /// Flattening f.
 pub const FLATTENING: f64 = 1.0 / 298.257223563;
+/// Semi-minor axis b = a(1 − f), m.
+pub const SEMI_MINOR_AXIS: f64 = SEMI_MAJOR_AXIS * (1.0 - FLATTENING);
 /// First eccentricity squared, e² = f(2 − f).
 pub const ECCENTRICITY_SQUARED: f64 = FLATTENING * (2.0 - FLATTENING);
 /// Rate of rotation ω_ie, rad/s.

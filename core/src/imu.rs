@@ -29,9 +29,8 @@ pub fn rates<R: Real>(motion: &Motion<R>) -> Rates<R> {
             + east_radius * c * longitude.second,
         -altitude.second,
     );
-    // ω_enⁿ = (λ̇ cosφ, −φ̇, −λ̇ sinφ)
     let earth_rate = earth::rotation_ned(s, c);
-    let transport_rate = Vector::new(longitude.first * c, -latitude.first, -(longitude.first * s));
+    let transport_rate = motion.transport_rate(s, c);
     // fⁿ = v̇ⁿ + (2ω_ieⁿ + ω_enⁿ) × vⁿ − gⁿ
     let coriolis = (earth_rate + earth_rate + transport_rate).cross(v);
     let mut specific_force = acceleration + coriolis;
@@ -72,7 +71,7 @@ const TRUNCATION: f64 = 1e-18;
 
 impl Quadrature {
     /// The fewest evaluations that reach the rounding floor for a motion of this bandwidth, rad/s,
-    /// over an interval in seconds.
+    /// over an interval in seconds; for what is faster still, 8 nodes in each of 1024 panels.
     pub fn plan(bandwidth: f64, interval_s: f64) -> Self {
         let mut panels = 1;
         loop {

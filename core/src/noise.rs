@@ -61,6 +61,13 @@ impl Streams {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stream(Xoshiro256PlusPlus);
 
+#[cfg(feature = "defmt")]
+impl defmt::Format for Stream {
+    fn format(&self, f: defmt::Formatter) {
+        defmt::write!(f, "Stream({=[u8]:02x})", self.to_bytes());
+    }
+}
+
 impl Stream {
     /// The beginning of the stream that belongs to a seed, a run and an identity.
     ///

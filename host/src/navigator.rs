@@ -34,7 +34,7 @@ pub trait Navigate: Send {
     /// Completes the rows that wait for samples.
     fn finish(&mut self, read: &mut Reader);
     /// Sets height and vertical velocity at the end of the last block.
-    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64);
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected>;
     /// Samples integrated so far.
     fn integrated(&self) -> u64;
     /// Digest of every state so far.
@@ -139,9 +139,9 @@ where
         self.digest.add(M::frame(&self.state));
     }
 
-    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) {
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected> {
         let narrow = |x| M::Real::narrow(x);
-        self.mechanization.hold_vertical(&mut self.state, narrow(altitude_m), narrow(down_m_s));
+        self.mechanization.hold_vertical(&mut self.state, narrow(altitude_m), narrow(down_m_s))
     }
 
     fn integrated(&self) -> u64 {

@@ -10,7 +10,7 @@ use schuler::sensor::ErrorTerm;
 use schuler::sensor::parameter::ParameterError;
 use schuler::sensor::triad::Triad;
 use schuler::solution::Solution;
-use schuler::trajectory::harmonic::{HarmonicTrajectory, TooManyHarmonics};
+use schuler::trajectory::harmonic::{CourseError, HarmonicTrajectory};
 use schuler::trajectory::{Motion, Trajectory};
 use std::fmt;
 
@@ -23,7 +23,7 @@ type EmulatorState = schuler::sensor::emulator::EmulatorState<SensorState, Senso
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SourceError {
     /// Its motion.
-    Trajectory(TooManyHarmonics),
+    Trajectory(CourseError),
     /// A sensor parameter.
     Sensor(ParameterError),
 }

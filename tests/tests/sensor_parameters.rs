@@ -97,6 +97,11 @@ fn a_parameter_whose_coefficients_overflow_is_named() {
     assert_eq!(Saturation::new(huge, long).err(), error(Parameter::Saturation, 0));
     let short = Vector::new(1.0, 1.0, 1e-300);
     assert_eq!(GaussMarkov::new(one, short, long).err(), error(Parameter::CorrelationTime, 2));
+    let lasting = Vector::new(1.0, 720.0, 1.0);
+    let large = Vector::new(1.0, 1e307, 1.0);
+    let timing = Timing::new(0.05, 10).unwrap();
+    let found = GaussMarkov::new(large, lasting, timing).err();
+    assert_eq!(found, error(Parameter::GaussMarkovRms, 1));
     let tiny = Vector::new(1.0, 1e-310, 1.0);
     assert_eq!(Quantization::new(tiny).err(), error(Parameter::Quantization, 1));
 }

@@ -53,8 +53,7 @@ impl<R: Real> ErrorDynamics<R> {
     /// At an instant of a motion, whose sensors should read `rates`.
     pub fn new(motion: &Motion<R>, rates: &Rates<R>, vertical_held: bool) -> Self {
         let (s, c) = motion.latitude.value.sin_cos();
-        let (altitude, latitude_rate) = (motion.altitude.value, motion.latitude.first);
-        let longitude_rate = motion.longitude.first;
+        let altitude = motion.altitude.value;
         let radii = Radii::at(s, c);
         let north_radius = radii.meridian + altitude;
         let body_to_ned = body_to_ned(motion);
@@ -65,8 +64,7 @@ impl<R: Real> ErrorDynamics<R> {
             rate_ib_b: rates.rate_ib_b,
             specific_force: body_to_ned * rates.specific_force_b,
             earth_rate: earth::rotation_ned(s, c),
-            // ω_enⁿ = (λ̇ cosφ, −φ̇, −λ̇ sinφ)
-            transport_rate: Vector::new(longitude_rate * c, -latitude_rate, -(longitude_rate * s)),
+            transport_rate: motion.transport_rate(s, c),
             // Gravity γ(φ, h) turns with the vertical: −γ/(R_M + h), −γ/(R_N + h), −∂γ/∂h
             gravity_gradient: Vector::new(
                 -(gravity / north_radius),

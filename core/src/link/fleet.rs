@@ -72,8 +72,7 @@ impl<M: Linked> Fleet for Flight<M> {
     fn hold(&mut self, mut vertical: Bytes) -> Result<(), Refusal> {
         let pair = vertical.pair().ok_or(Refusal::Malformed)?;
         vertical.end().ok_or(Refusal::Malformed)?;
-        Flight::hold(self, pair.hi, pair.lo);
-        Ok(())
+        Flight::hold(self, pair.hi, pair.lo)
     }
 
     fn finish(&mut self, samples: u32) -> Result<Taken, Refusal> {

@@ -158,8 +158,8 @@ impl<M: Linked> Flight<M> {
     }
 
     /// Sets height (m) and vertical velocity (down, m/s).
-    pub fn hold(&mut self, altitude: M::Real, down: M::Real) {
-        self.mechanization.hold_vertical(&mut self.state, altitude, down);
+    pub fn hold(&mut self, altitude: M::Real, down: M::Real) -> Result<(), Refusal> {
+        Ok(self.mechanization.hold_vertical(&mut self.state, altitude, down)?)
     }
 
     /// Number of the last sample taken, or filled in.

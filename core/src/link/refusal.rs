@@ -67,8 +67,10 @@ codes! {
     Rejected(Rejected Angle) = 11,
     Rejected(Rejected Velocity) = 12,
     Rejected(Rejected Pole) = 13,
-    Start(StartError FlushToZero) = 14,
-    Count = 15,
+    Rejected(Rejected Place) = 14,
+    Rejected(Rejected Held) = 15,
+    Start(StartError FlushToZero) = 16,
+    Count = 17,
 }
 
 impl Display for Refusal {

@@ -91,6 +91,13 @@ impl<R: Real> Quaternion<R> {
         (self.w + self.w + self.dot(self)) * R::HALF
     }
 
+    /// Brought back to unit length by one Newton step.
+    #[inline(always)]
+    pub fn normalised(self) -> Self {
+        // q ← q(3 − |q|²)/2
+        self * (R::of(1.5) - R::HALF * self.dot(self))
+    }
+
     /// The four-dimensional scalar product.
     #[inline(always)]
     pub fn dot(self, b: Self) -> R {

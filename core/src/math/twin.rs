@@ -37,6 +37,7 @@ pub trait Twin<R>: Number + core::fmt::Debug {
 
 /// Two scalars.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Both<R>(pub R, pub R);
 
 impl<R: Real + core::fmt::Debug> Twin<R> for Both<R> {

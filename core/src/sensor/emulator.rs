@@ -17,6 +17,7 @@ pub struct Emulator<R, G, A> {
 
 /// What the sensors of one run remember.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EmulatorState<G, A> {
     /// Of the gyros' terms.
     pub gyro: G,

@@ -27,6 +27,7 @@ pub struct Flicker<R> {
 
 /// The parts of the bias and what drives them.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FlickerState<R> {
     /// Each pole's share of the bias at the end of the last sample, in units of B.
     parts: [Vector<R>; DECADES],

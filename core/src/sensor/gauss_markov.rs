@@ -90,6 +90,7 @@ pub struct GaussMarkov<R> {
 
 /// The bias and what drives it.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GaussMarkovState<R> {
     /// The bias at the end of the last sample, angle/s.
     pub bias: Vector<R>,
@@ -105,6 +106,7 @@ impl<R: Deviate> GaussMarkov<R> {
     ) -> Result<Self, ParameterError> {
         let rms = Parameter::GaussMarkovRms.magnitude(rms)?;
         let correlation_s = Parameter::CorrelationTime.positive(correlation_s)?;
+        Parameter::GaussMarkovRms.computed(rms.zip(correlation_s, |s, t| s * t))?;
         let axes = rms.zip(correlation_s, |s, t| Process::new(s, t, timing.interval_s()));
         let Vector { x, y, z } = axes;
         Parameter::CorrelationTime.computed(Vector::new(x.extent(), y.extent(), z.extent()))?;

@@ -20,6 +20,7 @@ pub struct RandomWalk<R> {
 
 /// The bias and what drives it.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RandomWalkState<R> {
     /// The bias at the end of the last sample, angle/s.
     pub bias: Vector<R>,

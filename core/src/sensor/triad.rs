@@ -28,6 +28,7 @@ macro_rules! triad {
 
         /// What the terms remember.
         #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct TriadState<R: Deviate> {
             $($name: <Option<$term<R>> as ErrorTerm<R>>::State,)+
         }

@@ -15,6 +15,7 @@ use crate::sample::Increment;
 
 /// What a block, or its first part, does to a body that starts at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BodyMotion<R> {
     /// Rotation end → start, less one: e = q_bb − 1.
     pub rotation: Quaternion<R>,
@@ -30,6 +31,7 @@ pub struct BodyMotion<R> {
 
 /// The sum of a block's increments.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sum<R> {
     increment: Increment<R>,
     /// What rounding dropped from it.
@@ -129,6 +131,7 @@ impl<R: Real> Term<R> {
 
 /// The series of a block to the power N − 1, with the sums of its even and odd terms.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Series<R: Real, const N: usize> {
     pub(super) terms: [Term<R>; N],
     pub(super) last: usize,

@@ -6,8 +6,9 @@
 
 use super::block_time::{BlockTime, small_turn};
 use super::body::BodyMotion;
-use super::frame::{Beginning, Frame};
+use super::frame::{Beginning, Frame, check_earth_fixed};
 use super::gravitation::Latitude;
+use super::mechanization::Rejected;
 use crate::earth::ROTATION_RATE;
 use crate::math::compensated::{Accumulate, Pair, two_product, two_sum};
 use crate::math::quaternion::{Matrix, Quaternion};
@@ -39,6 +40,7 @@ pub struct EarthFixed<S: Accumulate> {
 
 /// What rows inside a block need: the attitude matrix and gravitation's parabola over the block.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EarthFixedStep<R> {
     matrix: Matrix<R>,
     /// (G₁ − G₋₁)/2.
@@ -57,14 +59,6 @@ fn turn_less_one<R: Real>(v: Vector<R>, sine: R, cosine_less_one: R) -> Vector<R
 #[inline(always)]
 fn turn_back<R: Real>(half_sine: R, half_cosine_less_one: R) -> Quaternion<R> {
     Quaternion::new(half_cosine_less_one, Vector::new(R::ZERO, R::ZERO, -half_sine))
-}
-
-impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
-    /// v·t's share of the remainders of v and of t.
-    #[inline(always)]
-    fn moved_low(&self, time: &BlockTime<R>, fraction: R) -> Vector<R> {
-        self.velocity.low_product(time.time, fraction)
-    }
 }
 
 impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
@@ -129,8 +123,10 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let fall = g0 * R::HALF
             + nabla * R::of(1.0 / 6.0)
             + (nabla2 * R::of(0.125) + self.third_difference * R::of(19.0 / 180.0));
-        let moved =
-            v * t + (matrix * body.position + fall * time.square + self.moved_low(time, R::ONE));
+        let moved = v * t
+            + (matrix * body.position
+                + fall * time.square
+                + self.velocity.low_product(time.time, R::ONE));
         let position = self.position.value() + moved;
         // G₁ = G(r + Δr), δ = G₁ − G₀, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³
         let g1 = self.latitude.gravitation(position);
@@ -174,7 +170,9 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let fall =
             (g0 * R::HALF + b * (tau * R::of(1.0 / 6.0)) + c * (tau2 * R::of(1.0 / 12.0))) * tau2;
         let moved = v0 * (tau * t)
-            + (step.matrix * body.position + fall * time.square + self.moved_low(time, tau));
+            + (step.matrix * body.position
+                + fall * time.square
+                + self.velocity.low_product(time.time, tau));
         // v = v₀ + C u + T(τG₀ + τ²b/2 + τ³c/3)
         let fall = g0 * tau + b * (tau2 * R::HALF) + c * (tau2 * tau * R::of(1.0 / 3.0));
         let gained = step.matrix * body.velocity + fall * t;
@@ -205,6 +203,11 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         self.velocity.accumulate(omega.cross(lifted) - up * climb);
         let mut latitude = self.latitude;
         self.gravitation = latitude.gravitation(self.position.value());
+    }
+
+    #[inline(always)]
+    fn check_place(&self) -> Result<(), Rejected> {
+        check_earth_fixed(self.position.value())
     }
 
     #[inline]

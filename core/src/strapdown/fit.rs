@@ -16,6 +16,7 @@ pub const MOST_SAMPLES: usize = 14;
 
 /// Coefficients of angular rate and specific force over a block, per unit of σ.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fit<R, const K: usize> {
     /// w_k, rad.
     pub rate: [Vector<R>; K],

@@ -2,6 +2,8 @@
 
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
+use super::mechanization::Rejected;
+use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
 use crate::math::real::{Real, Scalar};
 use crate::math::vector::Vector;
 use crate::solution::{EarthFixedSolution, Solution};
@@ -34,10 +36,8 @@ pub trait Frame: Copy {
     ) -> Self::Output;
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
     fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
-    /// Whether the axes are well defined where it stands.
-    fn is_regular(&self) -> bool {
-        true
-    }
+    /// Whether navigation can go on from where it stands.
+    fn check_place(&self) -> Result<(), Rejected>;
     /// The state as it stands.
     fn output(&self) -> Self::Output;
 }
@@ -62,8 +62,35 @@ impl<R: Real> Beginning<R> {
     }
 }
 
+/// Height above and below the ellipsoid, m, up to which navigation starts and goes on.
+pub(super) const FARTHEST: f64 = 1e6;
+
+/// Whether a place in local-level axes is one to go on from.
+#[inline(always)]
+pub(super) fn check_local<R: Real>(cosine: R, altitude: R) -> Result<(), Rejected> {
+    if !altitude.is_within(R::of(FARTHEST)) {
+        Err(Rejected::Place)
+    } else if R::any(cosine.less(R::of(POLAR_COSINE))) {
+        Err(Rejected::Pole)
+    } else {
+        Ok(())
+    }
+}
+
+/// Whether a place in Earth-fixed axes is one to go on from: in the shell between the spheres
+/// [`FARTHEST`] below the poles and above the equator.
+#[inline(always)]
+pub(super) fn check_earth_fixed<R: Real>(position_e: Vector<R>) -> Result<(), Rejected> {
+    const LEAST: f64 = SEMI_MINOR_AXIS - FARTHEST;
+    const MOST: f64 = SEMI_MAJOR_AXIS + FARTHEST;
+    const MEAN: f64 = 0.5 * (MOST * MOST + LEAST * LEAST);
+    const HALF_RANGE: f64 = 0.5 * (MOST * MOST - LEAST * LEAST);
+    let from_mean = position_e.dot(position_e) - R::of(MEAN);
+    if from_mean.is_within(R::of(HALF_RANGE)) { Ok(()) } else { Err(Rejected::Place) }
+}
+
 /// cosφ below which north and east are not told apart any more: 640 m from a pole.
-pub(super) const POLAR_COSINE: f64 = 1e-4;
+const POLAR_COSINE: f64 = 1e-4;
 
 /// A state that can be turned into a solution in local axes.
 pub trait Output<R: Real>: Copy {

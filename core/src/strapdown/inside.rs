@@ -12,6 +12,7 @@ const KEPT: usize = 2;
 
 /// The even and the odd powers at rows of the first half.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mirror<R: Real> {
     halves: [(Term<R>, Term<R>); KEPT],
 }

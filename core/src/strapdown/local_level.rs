@@ -12,7 +12,8 @@ pub use within::LocalLevelStep;
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::displacement::displacement;
-use super::frame::{Frame, POLAR_COSINE};
+use super::frame::{Frame, check_local};
+use super::mechanization::Rejected;
 use super::meridian::{Meridian, curvature};
 use super::two_float::{self, Attitude, Place};
 use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic, ROTATION_RATE, SOMIGLIANA, height_factor};
@@ -70,12 +71,6 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         )
     }
 
-    /// v·t's share of the remainders of v and of t.
-    #[inline(always)]
-    fn moved_low(&self, time: &BlockTime<R>, fraction: R) -> Vector<R> {
-        self.velocity.low_product(time.time, fraction)
-    }
-
     /// The change of δ: plumb gravity at the new place less that at the old one, in n0.
     #[inline(always)]
     fn plumb_change(&self, excess: R, turn: Quaternion<R>) -> Vector<R> {
@@ -131,7 +126,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         fall.z = fall.z + self.gravity_excess * R::HALF;
         let mut net = matrix * body.position + fall * time.square;
         net.z = net.z + time.half_gravity_square.hi + time.half_gravity_square.lo;
-        let low = self.moved_low(time, R::ONE);
+        let low = self.velocity.low_product(time.time, R::ONE);
         let moved = displacement(velocity, net, omega, t, low, S::TWO_FLOAT);
         let change = meridian.moved(moved.relative);
         let start = Place {
@@ -234,8 +229,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
     }
 
     #[inline(always)]
-    fn is_regular(&self) -> bool {
-        !R::any(self.cosine.value().less(R::of(POLAR_COSINE)))
+    fn check_place(&self) -> Result<(), Rejected> {
+        check_local(self.cosine.value(), self.position.altitude.value())
     }
 
     #[inline]

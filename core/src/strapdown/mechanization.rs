@@ -1,6 +1,6 @@
 //! What every mechanization has in common: how it is started and fed, and what it refuses.
 
-use super::frame::Output;
+use super::frame::{FARTHEST, Output};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
@@ -53,7 +53,12 @@ pub trait Mechanization {
         see: impl FnMut(u64, &Self::Body, &Self::Frame),
     );
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
-    fn hold_vertical(&self, state: &mut Self::State, altitude: Self::Real, down: Self::Real);
+    fn hold_vertical(
+        &self,
+        state: &mut Self::State,
+        altitude: Self::Real,
+        down: Self::Real,
+    ) -> Result<(), Rejected>;
     /// The frame's share of a state.
     fn frame(state: &Self::State) -> &Self::Frame;
     /// How many samples it has integrated.
@@ -62,7 +67,10 @@ pub trait Mechanization {
     fn output(&self, state: &Self::State) -> Self::Output;
 }
 
-/// Why a sample was not taken. The state is as it was, bit for bit.
+/// Velocity, m/s, that navigation starts with at most.
+const FASTEST: f64 = 1e5;
+
+/// Why a sample, or a vertical to hold, was not taken. The state is as it was, bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Rejected {
@@ -74,9 +82,14 @@ pub enum Rejected {
     /// The local-level frame has come within a ten-thousandth of the Earth's radius of a pole, where
     /// its axes end: the Earth-fixed frame goes on.
     Pole,
+    /// Navigation has left the neighbourhood of the ellipsoid, 1000 km up or down.
+    Place,
+    /// A height or a vertical velocity to hold that is not finite, above 1000 km or above 10⁵ m/s.
+    Held,
 }
 
-/// The largest angle that a block may turn by about one axis, rad: beyond it the series do not converge.
+/// The largest angle that a block may turn by about one axis, rad: the series of a step are cut short,
+/// and are made for less.
 pub const MOST_TURN: f64 = 2.0;
 
 impl core::fmt::Display for Rejected {
@@ -85,6 +98,11 @@ impl core::fmt::Display for Rejected {
             Self::Angle => "the angle increment is not finite, exceeds the limit, or turns a block by over 2 rad",
             Self::Velocity => "the velocity increment is not finite or exceeds the limit",
             Self::Pole => "the local-level frame ends at the pole; earth-fixed goes on",
+            Self::Place => {
+                "navigation has left the ellipsoid by over 1000 km: \
+                 check signs and units of the samples, or hold the vertical"
+            }
+            Self::Held => "the vertical to hold must be finite, within 1000 km and 100 km/s",
         })
     }
 }
@@ -99,7 +117,8 @@ pub enum StartError {
     Interval,
     /// A limit is not a positive finite number.
     Limits,
-    /// The position is not finite, beyond ±90° of latitude, or farther than 1000 km from the ellipsoid.
+    /// The position is not finite, beyond ±90° of latitude or ±360° of longitude, or farther than
+    /// 1000 km from the ellipsoid.
     Position,
     /// The velocity is not finite or above 10⁵ m/s.
     Velocity,
@@ -116,9 +135,12 @@ impl core::fmt::Display for StartError {
         f.write_str(match self {
             Self::Interval => "the sampling interval must be above 0 s and at most 1 s",
             Self::Limits => "the limits must be positive and finite",
-            Self::Position => "the initial position must be finite, on Earth or near it",
+            Self::Position => {
+                "the initial position must be finite: latitude within 90°, longitude within 360°, \
+                 height within 1000 km"
+            }
             Self::Velocity => "the initial velocity must be finite and at most 100 km/s",
-            Self::Attitude => "the initial attitude must be a unit quaternion",
+            Self::Attitude => "the initial attitude must be a unit quaternion to a thousandth",
             Self::Pole => "the local-level frame cannot start at a pole; earth-fixed can",
             Self::FlushToZero => "the processor flushes subnormal numbers to zero; clear that mode",
         })
@@ -201,6 +223,15 @@ pub fn subnormals_survive<R: Real>() -> bool {
     !R::any(back.less(normal)) & !R::any(normal.less(back))
 }
 
+/// Whether a height and a vertical velocity can be right.
+pub(super) fn admit_held<R: Real>(altitude: R, down: R) -> Result<(), Rejected> {
+    if altitude.is_within(R::of(FARTHEST)) & down.is_within(R::of(FASTEST)) {
+        Ok(())
+    } else {
+        Err(Rejected::Held)
+    }
+}
+
 /// An initial solution, if it can be right, its attitude brought to unit length.
 pub(super) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>, StartError> {
     if !subnormals_survive::<R>() {
@@ -211,11 +242,11 @@ pub(super) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>,
     let pole = R::of(core::f64::consts::FRAC_PI_2 * (1.0 + 1e-7));
     let on_earth = position.latitude.is_within(pole)
         & position.longitude.is_within(R::of(core::f64::consts::TAU))
-        & position.altitude.is_within(R::of(1e6));
+        & position.altitude.is_within(R::of(FARTHEST));
     if !on_earth {
         return Err(StartError::Position);
     }
-    if !initial.velocity_ned.map(|c| c.hi + c.lo).is_within(R::of(1e5)) {
+    if !initial.velocity_ned.map(|c| c.hi + c.lo).is_within(R::of(FASTEST)) {
         return Err(StartError::Velocity);
     }
     let q = initial.attitude.map(|c| c.hi + c.lo);

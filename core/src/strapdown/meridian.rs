@@ -31,6 +31,7 @@ pub struct Meridian<R> {
 
 /// The change of place that a displacement makes.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PlaceChange<R> {
     /// Δφ, rad.
     pub latitude: R,

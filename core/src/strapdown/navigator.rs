@@ -9,7 +9,9 @@ use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::frame::Frame;
 use super::inside::{BlockSeries, Mirror};
-use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, admit_start};
+use super::mechanization::{
+    Gate, Limits, Mechanization, Rejected, StartError, admit_held, admit_start,
+};
 use super::rows::{Blocks, Every, Read, Unread};
 use super::window::Window;
 use crate::math::compensated::Pair;
@@ -83,9 +85,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     pub fn start(&self, initial: &Solution<R>) -> Result<State<F, W>, StartError> {
         let initial = admit_start(initial)?;
         let frame = F::start(&initial);
-        if !frame.is_regular() {
-            return Err(StartError::Pole);
-        }
+        frame.check_place().map_err(|_| StartError::Pole)?;
         Ok(State {
             frame,
             samples: W::samples(Increment::ZERO),
@@ -155,8 +155,9 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         read: &mut impl Read<F>,
     ) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
-        if !state.frame.is_regular() {
-            return Err(Rejected::Pole);
+        // The first sample after a block is refused where the block led astray, and then every other.
+        if state.pending <= W::LOOKAHEAD {
+            state.frame.check_place()?;
         }
         self.store(state, sample);
         let past = state.filled - state.pending;
@@ -284,8 +285,15 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
     ) {
         Strapdown::finish_blocks(self, state, see);
     }
-    fn hold_vertical(&self, state: &mut State<F, W>, altitude: F::Real, down: F::Real) {
+    fn hold_vertical(
+        &self,
+        state: &mut State<F, W>,
+        altitude: F::Real,
+        down: F::Real,
+    ) -> Result<(), Rejected> {
+        admit_held(altitude, down)?;
         state.frame.hold_vertical(altitude, down);
+        Ok(())
     }
     fn frame(state: &State<F, W>) -> &F {
         &state.frame

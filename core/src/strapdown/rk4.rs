@@ -4,6 +4,7 @@
 //! in Earth-fixed axes (Groves, 2nd ed., §5.3) are integrated as they stand; the local error is of the
 //! fifth order in the step, the global one of the fourth.
 
+use super::frame::check_earth_fixed;
 use super::gravitation::Latitude;
 use super::mechanization::{Gate, Limits, Rejected, StartError, admit_start};
 use crate::earth::ROTATION_RATE;
@@ -115,6 +116,7 @@ impl<R: Real> RungeKutta<R> {
                 return Err(Rejected::Velocity);
             }
         }
+        check_earth_fixed(state.moving.position)?;
         let [start, middle, end] = rates;
         let (half, y) = (self.half, state.moving);
         // k₁ = f(t, y), k₂ = f(t + ½h, y + ½h k₁), k₃ = f(t + ½h, y + ½h k₂), k₄ = f(t + h, y + h k₃)
@@ -128,10 +130,7 @@ impl<R: Real> RungeKutta<R> {
         // y ← y + h/6 (k₁ + 2k₂ + 2k₃ + k₄)
         let sum = k1.moved(&k2, R::TWO).moved(&k3, R::TWO).moved(&k4, R::ONE);
         let moved = y.moved(&sum, half * R::of(1.0 / 3.0));
-        // q ← q(3 − |q|²)/2
-        let q = moved.attitude;
-        let attitude = q * (R::of(1.5) - R::HALF * q.dot(q));
-        state.moving = Moving { attitude, ..moved };
+        state.moving = Moving { attitude: moved.attitude.normalised(), ..moved };
         Ok(())
     }
 }

@@ -1,8 +1,8 @@
 //! The named windows: which samples a block is integrated from.
 //!
 //! A window is H samples of history, the block of B samples that is integrated, and A samples of
-//! look-ahead, which delay the output. Wider windows follow faster motion; a straight line over a
-//! long block is the cheapest for slow motion.
+//! look-ahead, which delay the output. Wider windows follow faster motion; a straight line or a
+//! parabola over a long block is the cheapest for slow motion.
 
 use super::body::{BodyMotion, Series, Sum, integrate};
 use super::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};

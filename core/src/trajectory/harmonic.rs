@@ -1,9 +1,10 @@
 //! The paper's trajectory, generalised: every channel is offset + rate·t + a sum of harmonics.
 //!
 //! Equations (1) and (2) of the paper, with more than one harmonic per channel. Harmonics of one
-//! frequency are evaluated once for all channels, and a constant channel is not evaluated at all.
+//! frequency are evaluated once for all channels; a channel without any costs a product and a sum.
 
 use super::{Bound, Jet, Motion, Trajectory};
+use crate::earth::SEMI_MAJOR_AXIS;
 use crate::math::real::Scalar;
 use heapless::Vec;
 
@@ -21,6 +22,7 @@ pub struct Harmonic<R> {
 
 /// One channel: offset + rate·t + Σ harmonics. Angles in rad, altitude in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Channel<'a, R> {
     /// The mean value.
     pub offset: R,
@@ -32,6 +34,7 @@ pub struct Channel<'a, R> {
 
 /// The six channels in order.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Channels<'a, R> {
     /// Roll γ, rad.
     pub roll: Channel<'a, R>,
@@ -47,21 +50,39 @@ pub struct Channels<'a, R> {
     pub altitude: Channel<'a, R>,
 }
 
-/// More harmonics than the trajectory has room for.
+/// Why there is no such trajectory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct TooManyHarmonics {
-    /// How many there is room for, over all channels.
-    pub room: usize,
+pub enum CourseError {
+    /// More harmonics than the trajectory has room for.
+    TooManyHarmonics {
+        /// How many there is room for, over all channels.
+        room: usize,
+    },
+    /// A number of this channel is not finite, or too large for a rate to be finite.
+    NotFinite {
+        /// Its place among the [`Channels`], from 0.
+        channel: usize,
+    },
 }
 
-impl core::fmt::Display for TooManyHarmonics {
+impl core::fmt::Display for CourseError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "the trajectory has room for {} harmonics", self.room)
+        match self {
+            Self::TooManyHarmonics { room } => {
+                write!(f, "the trajectory has room for {room} harmonics")
+            }
+            Self::NotFinite { channel } => {
+                const NAMES: [&str; 6] =
+                    ["roll", "pitch", "yaw", "latitude", "longitude", "altitude"];
+                let name = NAMES.get(*channel).unwrap_or(&"");
+                write!(f, "the {name} of the trajectory must be finite, its rate too")
+            }
+        }
     }
 }
 
-impl core::error::Error for TooManyHarmonics {}
+impl core::error::Error for CourseError {}
 
 /// A channel's share of one tone: cosine·cos ωt + sine·sin ωt.
 #[derive(Clone, Copy, Debug)]
@@ -74,6 +95,7 @@ struct Share<R> {
 
 /// A trajectory of harmonic channels, with room for `N` harmonics over all of them.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HarmonicTrajectory<R, const N: usize> {
     offset: [R; 6],
     rate: [R; 6],
@@ -84,8 +106,8 @@ pub struct HarmonicTrajectory<R, const N: usize> {
 
 impl<R: Scalar, const N: usize> HarmonicTrajectory<R, N> {
     /// From its channels.
-    pub fn new(channels: Channels<'_, R>) -> Result<Self, TooManyHarmonics> {
-        let full = TooManyHarmonics { room: N };
+    pub fn new(channels: Channels<'_, R>) -> Result<Self, CourseError> {
+        let full = CourseError::TooManyHarmonics { room: N };
         let Channels { roll, pitch, yaw, latitude, longitude, altitude } = channels;
         let channels = [roll, pitch, yaw, latitude, longitude, altitude];
         let mut this = Self {
@@ -111,32 +133,42 @@ impl<R: Scalar, const N: usize> HarmonicTrajectory<R, N> {
                 this.shares.push(Share { tone, channel, cosine, sine }).map_err(|_| full)?;
             }
         }
-        this.bound = bound(&channels);
+        this.bound = bound(&channels)?;
         Ok(this)
     }
 }
 
 /// Bounds from the channels' amplitudes and frequencies.
-fn bound<R: Scalar>(channels: &[Channel<'_, R>; 6]) -> Bound<R> {
+fn bound<R: Scalar>(channels: &[Channel<'_, R>; 6]) -> Result<Bound<R>, CourseError> {
     let mut fastest = R::ZERO;
     let mut greatest_rate = [R::ZERO; 6];
-    for (rate, channel) in greatest_rate.iter_mut().zip(channels) {
+    for ((index, channel), rate) in channels.iter().enumerate().zip(&mut greatest_rate) {
         *rate = channel.rate.abs();
+        // Infinity and NaN times zero are NaN.
+        let mut zero = channel.offset * R::ZERO;
         for h in channel.harmonics {
+            zero = zero + (h.amplitude + h.angular_rate + h.phase) * R::ZERO;
             *rate = *rate + (h.amplitude * h.angular_rate).abs();
             let w = if h.amplitude == R::ZERO { R::ZERO } else { h.angular_rate.abs() };
             fastest = if fastest < w { w } else { fastest };
         }
+        if zero + *rate * R::ZERO != R::ZERO {
+            return Err(CourseError::NotFinite { channel: index });
+        }
     }
-    let [roll, pitch, yaw, latitude, longitude, _] = greatest_rate;
+    let [roll, pitch, yaw, latitude, longitude, altitude] = greatest_rate;
     let turning = roll + pitch + yaw;
     let earth = R::of(crate::earth::ROTATION_RATE);
-    Bound {
+    Ok(Bound {
         // Products of two harmonics reach twice the fastest, turned by the attitude; gravity and the
-        // transport rate go with sines of up to four times the latitude.
-        bandwidth: fastest + fastest + turning + R::of(4.0) * latitude,
+        // transport rate go with sines of up to four times the latitude, and with powers of the
+        // altitude as a share of the Earth's radius: dᵏγ/dtᵏ = (k + 1)!(−ḣ/a)ᵏ γ < (4ḣ/a)ᵏ γ, k < 6.
+        bandwidth: fastest
+            + fastest
+            + turning
+            + R::of(4.0) * (latitude + altitude / R::of(SEMI_MAJOR_AXIS)),
         angular_rate: turning + earth + latitude + longitude,
-    }
+    })
 }
 
 impl<R: Scalar, const N: usize> Trajectory<R> for HarmonicTrajectory<R, N> {

@@ -58,7 +58,8 @@ impl<R: Record> Record for Motion<R> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bound<R> {
     /// An angular frequency Λ, rad/s, such that the k-th derivative of every component of ω_ibᵇ and
-    /// fᵇ stays within Λᵏ times that component's own range. 0 where nothing changes.
+    /// fᵇ stays within Λᵏ times that component's own range, or its size in a steady climb. 0 where
+    /// nothing changes.
     pub bandwidth: R,
     /// |ω_ibᵇ| at most, rad/s.
     pub angular_rate: R,
@@ -73,6 +74,15 @@ pub trait Trajectory<R: Real> {
 }
 
 impl<R: Real> Motion<R> {
+    /// Rate of north, east and down against the Earth, in these axes, rad/s; from sine and cosine of the
+    /// latitude.
+    #[inline(always)]
+    pub fn transport_rate(&self, sine: R, cosine: R) -> Vector<R> {
+        // ω_enⁿ = (λ̇ cosφ, −φ̇, −λ̇ sinφ)
+        let (latitude_rate, longitude_rate) = (self.latitude.first, self.longitude.first);
+        Vector::new(longitude_rate * cosine, -latitude_rate, -(longitude_rate * sine))
+    }
+
     /// Velocity relative to the Earth: north, east, down, m/s.
     pub fn velocity_ned(&self) -> Vector<R> {
         let (s, c) = self.latitude.value.sin_cos();

@@ -38,7 +38,7 @@ pub trait Steps {
     /// Completes the steps that wait for samples.
     fn finish(&mut self, see: &mut See);
     /// Sets height and vertical velocity.
-    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64);
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected>;
 }
 
 type Start = fn(Pair<f64>, &Solution<f64>) -> Result<Box<dyn Steps>, StartError>;
@@ -111,9 +111,9 @@ where
         });
     }
 
-    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) {
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected> {
         let narrow = |x| M::Real::narrow(x);
-        self.mechanization.hold_vertical(&mut self.state, narrow(altitude_m), narrow(down_m_s));
+        self.mechanization.hold_vertical(&mut self.state, narrow(altitude_m), narrow(down_m_s))
     }
 }
 

@@ -58,7 +58,7 @@ pub fn record(
                 last = Some(n);
             })?;
             if let Some(truth) = last.filter(|_| hold).map(|n| source.truth(n)) {
-                steps.hold_vertical(truth.position.altitude.hi, truth.velocity_ned.z.hi);
+                steps.hold_vertical(truth.position.altitude.hi, truth.velocity_ned.z.hi)?;
             }
         }
         Ok(())

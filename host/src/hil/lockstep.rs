@@ -172,11 +172,7 @@ impl Lockstep {
                 self.compare(&standing).map(Ok)
             }
             Some(Reply::Refused(target, _)) => {
-                let twin = self.twin.take(number, &increment, read).err();
-                match target {
-                    Refusal::Rejected(why) if twin == Some(target) => Ok(Err(why.into())),
-                    _ => Err(Parted::Refusal { target: Some(target), twin }),
-                }
+                refused(Some(target), self.twin.take(number, &increment, read).err())
             }
             Some(_) => Err(Parted::Answer("a sample")),
             None => {
@@ -193,7 +189,7 @@ impl Lockstep {
         }
     }
 
-    fn end(&mut self, read: &mut Reader) -> Result<(), Parted> {
+    fn end(&mut self, read: &mut Reader) -> Result<Result<(), Refused>, Parted> {
         let request = Request::Finish { samples: self.samples };
         let reply = self.ask(&request)?.ok_or(Parted::Silence("the end of the stream"))?;
         if let Reply::Standing(standing) = &reply {
@@ -201,7 +197,7 @@ impl Lockstep {
         }
         let twin = self.twin.finish(self.samples, read).err();
         if twin.is_some() {
-            return Err(Parted::Refusal { target: reply.refusal(), twin });
+            return refused(reply.refusal(), twin);
         }
         self.agree(reply)?;
         // What was put in shows only in the frames that follow it.
@@ -211,18 +207,18 @@ impl Lockstep {
                 self.agree(reply)?;
             }
         }
-        Ok(())
+        Ok(Ok(()))
     }
 
-    fn hold(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Parted> {
+    fn hold(&mut self, altitude_m: f64, down_m_s: f64) -> Result<Result<(), Refused>, Parted> {
         let vertical = self.twin.vertical(altitude_m, down_m_s);
         let request = Request::Hold(Bytes(&vertical));
         let reply = self.ask(&request)?.ok_or(Parted::Silence("a held height"))?;
         let twin = self.twin.hold(&vertical).err();
         if twin.is_some() {
-            return Err(Parted::Refusal { target: reply.refusal(), twin });
+            return refused(reply.refusal(), twin);
         }
-        self.agree(reply)
+        self.agree(reply).map(Ok)
     }
 
     fn ended(&self, change: impl FnOnce(&mut Ended)) {
@@ -241,6 +237,14 @@ impl Lockstep {
     }
 }
 
+/// What it means that one side refuses: both for the same reason, and what is refused cannot be flown.
+fn refused(target: Option<Refusal>, twin: Option<Refusal>) -> Result<Result<(), Refused>, Parted> {
+    match target {
+        Some(Refusal::Rejected(why)) if twin == target => Ok(Err(why.into())),
+        _ => Err(Parted::Refusal { target, twin }),
+    }
+}
+
 impl Drop for Lockstep {
     fn drop(&mut self) {
         let mut tally = self.conversation.tally();
@@ -255,11 +259,11 @@ impl Vehicle for Lockstep {
     }
 
     fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Refused> {
-        self.hold(altitude_m, down_m_s).map_err(|parted| self.stop(&parted))
+        self.hold(altitude_m, down_m_s).map_err(|parted| self.stop(&parted))?
     }
 
     fn finish(&mut self, read: &mut Reader) -> Result<(), Refused> {
-        self.end(read).map_err(|parted| self.stop(&parted))
+        self.end(read).map_err(|parted| self.stop(&parted))?
     }
 
     fn integrated(&self) -> u64 {

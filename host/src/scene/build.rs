@@ -1,14 +1,14 @@
 //! From a scene's channels to the core's trajectory.
 
 use super::{Channel, Trajectory};
-use schuler::trajectory::harmonic::{self, Channels, HarmonicTrajectory, TooManyHarmonics};
+use schuler::trajectory::harmonic::{self, Channels, CourseError, HarmonicTrajectory};
 
 /// Harmonics that a scene may have, over all channels.
 pub const HARMONICS: usize = 64;
 
 impl Trajectory {
     /// The motion that the channels describe.
-    pub fn build(&self) -> Result<HarmonicTrajectory<f64, HARMONICS>, TooManyHarmonics> {
+    pub fn build(&self) -> Result<HarmonicTrajectory<f64, HARMONICS>, CourseError> {
         HarmonicTrajectory::new(Channels {
             roll: self.roll.borrow(),
             pitch: self.pitch.borrow(),

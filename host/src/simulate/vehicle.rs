@@ -26,8 +26,7 @@ impl Vehicle for Box<dyn Navigate> {
     }
 
     fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Refused> {
-        self.as_mut().hold_vertical(altitude_m, down_m_s);
-        Ok(())
+        Ok(self.as_mut().hold_vertical(altitude_m, down_m_s)?)
     }
 
     fn finish(&mut self, read: &mut Reader) -> Result<(), Refused> {

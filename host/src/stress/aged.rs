@@ -81,7 +81,8 @@ where
         let Some(sample) = samples.next() else { break };
         // The vertical channel is held, as no flight of days is possible otherwise.
         if n % 4 == 0 {
-            mechanization.hold_vertical(&mut original, M::Real::ZERO, M::Real::ZERO);
+            let held = mechanization.hold_vertical(&mut original, M::Real::ZERO, M::Real::ZERO);
+            held.map_err(|why| why.to_string())?;
         }
         let taken = mechanization.push(&mut original, sample);
         taken.map_err(|why| format!("sample {n}: {why}"))?;

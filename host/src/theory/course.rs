@@ -10,7 +10,7 @@ use schuler::drift::meridian::MeridianShift;
 use schuler::imu;
 use schuler::math::vector::Vector;
 use schuler::sample::Rates;
-use schuler::trajectory::harmonic::{HarmonicTrajectory, TooManyHarmonics};
+use schuler::trajectory::harmonic::{CourseError, HarmonicTrajectory};
 use schuler::trajectory::{Motion, Trajectory};
 
 /// The longest step, s: 1/400 of Schuler's period over 2π, for a rule of fourth order.
@@ -46,7 +46,7 @@ pub struct Instant {
 
 impl Course {
     /// Of a scene.
-    pub fn new(scene: &Scene) -> Result<Self, TooManyHarmonics> {
+    pub fn new(scene: &Scene) -> Result<Self, CourseError> {
         let trajectory = scene.trajectory.build()?;
         let sources = Sources::new(scene);
         let initial = &scene.initial_error;

@@ -18,7 +18,7 @@ use march::{March, NODES};
 use schuler::drift::compare::Drift;
 use schuler::drift::linear::ErrorState;
 use schuler::earth::SEMI_MAJOR_AXIS;
-use schuler::trajectory::harmonic::TooManyHarmonics;
+use schuler::trajectory::harmonic::CourseError;
 
 /// Closer to the Earth's axis than so many times the step's motion or the error, each time is worked
 /// out for itself.
@@ -44,7 +44,7 @@ pub struct Theory {
 
 impl Theory {
     /// Of a scene.
-    pub fn new(scene: &Scene) -> Result<Self, TooManyHarmonics> {
+    pub fn new(scene: &Scene) -> Result<Self, CourseError> {
         let course = Course::new(scene)?;
         let march = March::new(&course);
         Ok(Self { course, march, cubic: None })

@@ -2,13 +2,13 @@
 
 use schuler::sensor::parameter::ParameterError;
 use schuler::strapdown::mechanization::{Rejected, StartError};
-use schuler::trajectory::harmonic::TooManyHarmonics;
+use schuler::trajectory::harmonic::CourseError;
 
 /// What can go wrong.
 #[derive(defmt::Format)]
 pub enum Fault {
     /// The motion has more harmonics than there is room for.
-    Motion(TooManyHarmonics),
+    Motion(CourseError),
     /// A sensor parameter is out of range.
     Sensors(ParameterError),
     /// The navigator does not start.
@@ -28,4 +28,4 @@ macro_rules! fault_from {
         })+
     };
 }
-fault_from!(TooManyHarmonics => Motion, ParameterError => Sensors, StartError => Start, Rejected => Rejected);
+fault_from!(CourseError => Motion, ParameterError => Sensors, StartError => Start, Rejected => Rejected);

@@ -9,7 +9,7 @@ use schuler::sensor::parameter::ParameterError;
 use schuler::sensor::white::White;
 use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing};
 use schuler::trajectory::harmonic::{
-    Channel, Channels, Harmonic, HarmonicTrajectory, TooManyHarmonics,
+    Channel, Channels, Harmonic, HarmonicTrajectory, CourseError,
 };
 
 /// Samples per second.
@@ -24,7 +24,7 @@ const MICRO_G: f64 = 9.80665e-6;
 pub type Course = HarmonicTrajectory<f64, 6>;
 
 /// The true motion.
-pub fn course() -> Result<Course, TooManyHarmonics> {
+pub fn course() -> Result<Course, CourseError> {
     let swing = |amplitude| [Harmonic { amplitude, angular_rate: TAU / 7200.0, phase: 0.0 }];
     let (angle, height) = (swing(5.0 * DEGREE), swing(2000.0));
     let about = |offset| Channel { offset, rate: 0.0, harmonics: &angle };

@@ -1,8 +1,6 @@
 //! Flights that navigators are measured on, as in the built-in scenes of the same names.
 
-use schuler::trajectory::harmonic::{
-    Channel, Channels, Harmonic, HarmonicTrajectory, TooManyHarmonics,
-};
+use schuler::trajectory::harmonic::{Channel, Channels, CourseError, Harmonic, HarmonicTrajectory};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const DEGREE: f64 = PI / 180.0;
@@ -15,7 +13,7 @@ pub trait Flight {
     /// Samples per second.
     const RATE_HZ: f64;
     /// The true motion.
-    fn course() -> Result<Course, TooManyHarmonics>;
+    fn course() -> Result<Course, CourseError>;
 }
 
 /// Slow swings.
@@ -40,7 +38,7 @@ fn sine(amplitude: f64, angular_rate: f64, phase: f64) -> [Harmonic<f64>; 1] {
 
 impl Flight for Paper {
     const RATE_HZ: f64 = 20.0;
-    fn course() -> Result<Course, TooManyHarmonics> {
+    fn course() -> Result<Course, CourseError> {
         let angle = cosine(5.0 * DEGREE, TAU / 7200.0);
         HarmonicTrajectory::new(Channels {
             roll: channel(0.0, 0.0, &angle),
@@ -55,7 +53,7 @@ impl Flight for Paper {
 
 impl Flight for Hard {
     const RATE_HZ: f64 = 100.0;
-    fn course() -> Result<Course, TooManyHarmonics> {
+    fn course() -> Result<Course, CourseError> {
         let (angle, turn) = (5.0 * DEGREE, 2.0 * TAU);
         HarmonicTrajectory::new(Channels {
             roll: channel(0.0, 0.0, &sine(angle, turn, 0.0)),
@@ -71,7 +69,7 @@ impl Flight for Hard {
 
 impl Flight for Manoeuvre {
     const RATE_HZ: f64 = 100.0;
-    fn course() -> Result<Course, TooManyHarmonics> {
+    fn course() -> Result<Course, CourseError> {
         // Radians to a metre north and east.
         let (north, east) = (8.994_088_764_4e-6 * DEGREE, 1.267_686_458_52e-5 * DEGREE);
         HarmonicTrajectory::new(Channels {

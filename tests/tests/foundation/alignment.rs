@@ -18,6 +18,11 @@ fn at_rest(attitude: Euler<f64>, latitude: f64, interval_s: f64) -> Increment<f6
     }
 }
 
+fn narrow(sample: Increment<f64>) -> Increment<f32> {
+    let Increment { angle_b, velocity_b } = sample;
+    Increment { angle_b: angle_b.map(|c| c as f32), velocity_b: velocity_b.map(|c| c as f32) }
+}
+
 #[test]
 fn made_up_attitudes_are_found() {
     let mut numbers = Numbers(61);
@@ -47,11 +52,9 @@ fn made_up_attitudes_are_found() {
 fn single_precision_finds_them_too() {
     let attitude = Euler { roll: 0.1, pitch: -0.2, yaw: 2.5 };
     let sample = at_rest(attitude, 0.8, 0.01);
-    let narrow = |v: Vector<f64>| v.map(|c| c as f32);
     let mut alignment = Alignment::<f32>::default();
     for _ in 0..100 {
-        let (angle_b, velocity_b) = (narrow(sample.angle_b), narrow(sample.velocity_b));
-        alignment.add(&Increment { angle_b, velocity_b });
+        alignment.add(&narrow(sample));
     }
     let found = alignment.attitude().unwrap();
     for (a, b) in [(found.roll, 0.1), (found.pitch, -0.2), (found.yaw, 2.5)] {
@@ -90,8 +93,20 @@ fn what_determines_nothing_is_an_error() {
     };
     assert!(with(good).is_ok());
     let undetermined = Err(AlignmentError::Undetermined);
-    for pole in [FRAC_PI_2, -FRAC_PI_2] {
-        assert_eq!(with(at_rest(tilted, pole, 0.01)), undetermined);
+    let mut numbers = Numbers(62);
+    for _ in 0..100 {
+        let attitude = Euler {
+            roll: numbers.within(PI),
+            pitch: numbers.within(FRAC_PI_2),
+            yaw: numbers.within(PI),
+        };
+        for pole in [FRAC_PI_2, -FRAC_PI_2] {
+            let sample = at_rest(attitude, pole, 0.01);
+            assert_eq!(with(sample), undetermined, "{attitude:?}");
+            let mut single = Alignment::<f32>::default();
+            single.add(&narrow(sample));
+            assert_eq!(single.attitude(), Err(AlignmentError::Undetermined), "{attitude:?}");
+        }
     }
     assert_eq!(with(Increment { angle_b: Vector::ZERO, ..good }), undetermined);
     assert_eq!(with(Increment { velocity_b: Vector::ZERO, ..good }), undetermined);

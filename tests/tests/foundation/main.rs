@@ -5,6 +5,7 @@
 mod alignment;
 mod compensated;
 mod earth;
+mod formats;
 mod imu;
 mod quaternion;
 mod real;

@@ -85,7 +85,11 @@ fn nothing_that_is_not_finite_lies_within_a_bound() {
 fn twins<R: Scalar + std::fmt::Debug>() {
     let mut numbers = Numbers(12);
     for _ in 0..2000 {
-        let [a, b, c, d] = std::array::from_fn(|_| R::narrow(numbers.within(1e3)));
+        let [a, b, c, d] = std::array::from_fn(|_| match numbers.word() % 8 {
+            0 => R::ZERO,
+            1 => -R::ZERO,
+            _ => R::narrow(numbers.within(1e3)),
+        });
         let (one, other) = (R::Twin::new(a, b), R::Twin::new(c, d));
         let (plain, plain_other) = (Both(a, b), Both(c, d));
         for (twin, expected, by_hand) in [
@@ -93,9 +97,25 @@ fn twins<R: Scalar + std::fmt::Debug>() {
             (one - other, plain - plain_other, (a - c, b - d)),
             (one * other, plain * plain_other, (a * c, b * d)),
             (one.quarter_turn(), plain.quarter_turn(), (-b, a)),
+            (-one, -plain, (-a, -b)),
             (Twin::both(a), Twin::both(a), (a, a)),
         ] {
-            assert_eq!((twin.parts(), expected.parts()), (by_hand, by_hand));
+            let words = |(a, b): (R, R)| [a.to_bits(), b.to_bits()];
+            assert_eq!(words(twin.parts()), words(by_hand));
+            assert_eq!(words(expected.parts()), words(by_hand));
+        }
+    }
+    // Each of the six in its turn, over its own bound and none of the others'.
+    let bounds: [R; 6] = std::array::from_fn(|i| R::count(i as u32 + 1));
+    let pairs = |x: [R; 6]| [0, 2, 4].map(|i| R::Twin::new(x[i], x[i + 1]));
+    let within = |x| R::Twin::all_within(pairs(x), pairs(bounds));
+    assert!(within(bounds) && within(bounds.map(|x| -x)) && within([-R::ZERO; 6]));
+    for i in 0..6 {
+        let over = bounds[i] + R::HALF;
+        for x in [over, -over, R::narrow(f64::NAN), R::narrow(f64::INFINITY)] {
+            let mut values = bounds;
+            values[i] = x;
+            assert!(!within(values), "{i} {x:?}");
         }
     }
 }

@@ -3,9 +3,7 @@
 use schuler::imu;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
-use schuler::trajectory::harmonic::{
-    Channel, Channels, Harmonic, HarmonicTrajectory, TooManyHarmonics,
-};
+use schuler::trajectory::harmonic::{Channel, Channels, CourseError, Harmonic, HarmonicTrajectory};
 use schuler::trajectory::{Jet, Motion, Trajectory, wrap};
 use schuler_host::scene::builtin;
 use schuler_host::source::Course;
@@ -90,7 +88,66 @@ fn a_channel_is_what_its_equation_says() {
         altitude: none,
     };
     let error = HarmonicTrajectory::<f64, 8>::new(full).unwrap_err();
-    assert_eq!(error, TooManyHarmonics { room: 8 });
+    assert_eq!(error, CourseError::TooManyHarmonics { room: 8 });
+}
+
+/// Whatever number of whichever channel is not finite, the channel is named.
+#[test]
+fn what_is_not_finite_is_refused() {
+    let tone = Harmonic { amplitude: 0.5, angular_rate: 2.0, phase: 0.3 };
+    let good = Channel { offset: 3.0, rate: -0.5, harmonics: &[tone] };
+    let course = |channels: [Channel<'_, f64>; 6]| {
+        let [roll, pitch, yaw, latitude, longitude, altitude] = channels;
+        HarmonicTrajectory::<f64, 6>::new(Channels {
+            roll,
+            pitch,
+            yaw,
+            latitude,
+            longitude,
+            altitude,
+        })
+    };
+    assert!(course([good; 6]).is_ok());
+    for channel in 0..6 {
+        for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let tones = [
+                Harmonic { amplitude: x, ..tone },
+                Harmonic { angular_rate: x, ..tone },
+                Harmonic { phase: x, ..tone },
+            ];
+            let fast = Harmonic { amplitude: 1e200, angular_rate: 1e200, phase: 0.0 };
+            let bad =
+                [Channel { offset: x, ..good }, Channel { rate: x, ..good }].into_iter().chain(
+                    tones
+                        .iter()
+                        .chain([&fast])
+                        .map(|tone| Channel { harmonics: std::slice::from_ref(tone), ..good }),
+                );
+            for bad in bad {
+                let mut channels = [good; 6];
+                channels[channel] = bad;
+                let error = course(channels).err();
+                assert_eq!(error, Some(CourseError::NotFinite { channel }), "{bad:?}");
+            }
+        }
+    }
+}
+
+/// Gravity changes on the way up: one sample's increment is not the next one's.
+#[test]
+fn a_steady_climb_has_a_bandwidth() {
+    let mut scene = builtin::scene("stationary").unwrap().trajectory;
+    assert_eq!(scene.build().unwrap().bound().bandwidth, 0.0);
+    scene.altitude.rate = 10.0;
+    let course = scene.build().unwrap();
+    let force = |t: f64| imu::rates(&course.at(t)).specific_force_b.norm();
+    for t in [0.0, 600.0] {
+        let steepest = slope(|dt| force(t + dt), 10.0).abs();
+        assert!(
+            steepest > 0.0 && steepest <= course.bound().bandwidth * force(t),
+            "{t}: {steepest:e}"
+        );
+    }
 }
 
 /// Derivatives of rate and specific force stay within the bandwidth times each component's range.

@@ -6,6 +6,7 @@ use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::Output as _;
 use schuler::strapdown::local_level::LocalLevel;
 use schuler::strapdown::mechanization::{Limits, MOST_TURN, Mechanization, Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;
@@ -64,6 +65,65 @@ where
 }
 
 const INTERVAL: f64 = 0.01;
+
+/// Flies a stream on and on; navigation may leave the Earth, but it ends there and stays a number.
+fn leaves<M: Mechanization<Real = f64>>(mechanization: &M, sample: Increment<f64>)
+where
+    M::State: Record,
+{
+    let mut state = mechanization.start(&Course::new("stationary", 1.0, 1.0).initial()).unwrap();
+    let refused = (0..40_000).find_map(|_| mechanization.push(&mut state, sample).err());
+    assert_eq!(refused, Some(Rejected::Place));
+    let before = bits(&state);
+    for _ in 0..9 {
+        assert_eq!(mechanization.push(&mut state, sample), Err(Rejected::Place));
+        assert_eq!(bits(&state), before);
+    }
+    let altitude = mechanization.output(&state).wide().position.altitude.hi;
+    assert!((0.9e6..1.3e6).contains(&altitude.abs()), "{altitude}");
+}
+
+/// Specific force where its increment belongs, and one with the wrong sign: the field's mistakes.
+#[test]
+fn navigation_that_leaves_the_earth() {
+    const INTERVAL: f64 = 0.05;
+    let good = Course::new("stationary", 1.0, 1.0).samples[0];
+    for factor in [20.0, -1.0] {
+        let wrong = Increment { velocity_b: good.velocity_b * factor, ..good };
+        leaves(&Strapdown::<Local, H2B4A2>::new(Pair::new(INTERVAL)).unwrap(), wrong);
+        leaves(&Strapdown::<Earth, H2B4A2>::new(Pair::new(INTERVAL)).unwrap(), wrong);
+        leaves(&Strapdown::<Earth, H0B4A0>::new(Pair::new(INTERVAL)).unwrap(), wrong);
+        leaves(&Textbook::<LocalLevelTextbook<f64>>::new(INTERVAL).unwrap(), wrong);
+        leaves(&Textbook::<EarthFixedTextbook<f64>>::new(INTERVAL).unwrap(), wrong);
+    }
+}
+
+/// A vertical to hold that cannot be right is refused, and changes nothing.
+#[test]
+fn verticals_that_cannot_be_held() {
+    fn check<M: Mechanization<Real = f64>>(mechanization: &M)
+    where
+        M::State: Record,
+    {
+        let course = Course::new("paper-perfect", 1.0, 1.0);
+        let mut state = mechanization.start(&course.initial()).unwrap();
+        let before = bits(&state);
+        for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300] {
+            for (altitude, down) in [(x, 0.0), (0.0, x)] {
+                let held = mechanization.hold_vertical(&mut state, altitude, down);
+                assert_eq!(held, Err(Rejected::Held), "{altitude} {down}");
+                assert_eq!(bits(&state), before);
+            }
+        }
+        for (altitude, down) in [(1e6, -1e5), (-1e6, 1e5), (0.0, -0.0)] {
+            assert_eq!(mechanization.hold_vertical(&mut state, altitude, down), Ok(()));
+        }
+    }
+    check(&Strapdown::<Local, H0B4A0>::new(Pair::new(INTERVAL)).unwrap());
+    check(&Strapdown::<Earth, H0B4A0>::new(Pair::new(INTERVAL)).unwrap());
+    check(&Textbook::<LocalLevelTextbook<f64>>::new(INTERVAL).unwrap());
+    check(&Textbook::<EarthFixedTextbook<f64>>::new(INTERVAL).unwrap());
+}
 
 #[test]
 fn samples_that_cannot_be_right() {
@@ -151,10 +211,23 @@ fn every_refusal_says_what_it_is() {
         StartError::Attitude.to_string(),
         Rejected::Pole.to_string(),
         StartError::Pole.to_string(),
+        Rejected::Place.to_string(),
+        Rejected::Held.to_string(),
+        StartError::FlushToZero.to_string(),
     ];
     let words = [
-        "angle", "velocity", "interval", "limits", "position", "velocity", "attitude", "pole",
+        "angle",
+        "velocity",
+        "interval",
+        "limits",
+        "position",
+        "velocity",
+        "attitude",
         "pole",
+        "pole",
+        "ellipsoid",
+        "hold",
+        "subnormal",
     ];
     for (i, (text, word)) in texts.iter().zip(words).enumerate() {
         assert!(text.contains(word), "{text}");

@@ -141,6 +141,33 @@ fn a_start_is_brought_to_unit_length() {
     }
 }
 
+/// What a processor that takes subnormal numbers for zero would make of the bits is not promised: a
+/// navigator does not start on it.
+#[cfg(target_arch = "x86_64")]
+#[test]
+#[expect(deprecated, reason = "the control register has no other name in the standard library")]
+fn a_processor_that_flushes_subnormal_numbers() {
+    use std::arch::x86_64::{_mm_getcsr, _mm_setcsr};
+    const FLUSH: u32 = 1 << 15;
+    const DENORMALS_ARE_ZERO: u32 = 1 << 6;
+    let local = Strapdown::<Local, H0B4A0>::new(Pair::new(0.01)).unwrap();
+    let single = Textbook::<EarthFixedTextbook<f32>>::new(0.01).unwrap();
+    let initial = place(0.8, 2.0, 300.0);
+    let narrow = Solution::narrow(&initial);
+    for mode in [0, FLUSH, DENORMALS_ARE_ZERO, FLUSH | DENORMALS_ARE_ZERO] {
+        // SAFETY: the mode is this thread's own, and what runs until it is set back is named here.
+        let starts = unsafe {
+            let before = _mm_getcsr();
+            _mm_setcsr(before | mode);
+            let starts = (local.start(&initial).err(), single.start(&narrow).err());
+            _mm_setcsr(before);
+            starts
+        };
+        let expected = if mode == 0 { None } else { Some(StartError::FlushToZero) };
+        assert_eq!(starts, (expected, expected), "{mode:x}");
+    }
+}
+
 /// At a pole north is nowhere: there the Earth-fixed frame starts, and goes on.
 #[test]
 fn the_local_level_frame_ends_at_the_pole() {

@@ -14,6 +14,7 @@ use crate::solution::Solution;
 
 /// What rows inside a block need.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LocalLevelStep<R> {
     pub(super) matrix: Matrix<R>,
     pub(super) meridian: Meridian<R>,
@@ -51,7 +52,8 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         let net = step.matrix * body.position + fall * (time.square * tau2);
         let velocity = self.velocity.value();
         let t = time.time.hi * tau;
-        let moved = displacement(velocity, net, omega, t, self.moved_low(time, tau), false);
+        let moved =
+            displacement(velocity, net, omega, t, self.velocity.low_product(time.time, tau), false);
         let change = meridian.moved(moved.relative);
         let turn = meridian.frame_turn(&change, change.longitude + time.turn.hi * tau);
         let mut position = self.position;

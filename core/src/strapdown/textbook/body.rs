@@ -7,6 +7,7 @@ use crate::sample::Increment;
 
 /// A sample compensated for what happens within it.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Compensated<R> {
     /// The body's rotation over the sample, a unit quaternion: end → start.
     pub rotation: Quaternion<R>,
@@ -22,7 +23,8 @@ impl<R: Real> Compensated<R> {
         let twelfth = R::of(1.0 / 12.0);
         // φ = Δθ + ¹⁄₁₂ Δθ′ × Δθ
         let coned = angle + previous.angle_b.cross(angle) * twelfth;
-        // u = Δv + (1 − cosθ)/θ² Δθ×Δv + (1 − sinθ/θ)/θ² Δθ×(Δθ×Δv) + ¹⁄₁₂(Δθ′×Δv + Δv′×Δθ)
+        // u = Δv + (1 − cosθ)/θ² Δθ×Δv + (1 − sinθ/θ)/θ² Δθ×(Δθ×Δv) + ¹⁄₁₂(Δθ′×Δv + Δv′×Δθ),
+        // both series up to θ⁴: they leave θ⁷/40320 of Δv, 2e-7 at 0.5 rad and 0.3 % at 2 rad
         let square = angle.dot(angle);
         let first = R::HALF - square * (R::of(1.0 / 24.0) - square * R::of(1.0 / 720.0));
         let second =
@@ -34,7 +36,8 @@ impl<R: Real> Compensated<R> {
     }
 }
 
-/// The unit quaternion of a rotation vector, radians, of up to about one.
+/// The unit quaternion of a rotation vector, rad: the series leave x⁵/10!, 3e-13 of it at 0.5 rad and
+/// 3e-7 at 2 rad.
 #[inline(always)]
 pub(super) fn rotation<R: Real>(vector: Vector<R>) -> Quaternion<R> {
     // q = [cos ½φ, ½ sinc(½φ) φ], x = ¼φ²: cos = 1 − x/2 + x²/24 − …, sinc = 1 − x/6 + x²/120 − …
@@ -46,10 +49,4 @@ pub(super) fn rotation<R: Real>(vector: Vector<R>) -> Quaternion<R> {
         - x * (R::of(1.0 / 6.0)
             - x * (R::of(1.0 / 120.0) - x * (R::of(1.0 / 5040.0) - x * R::of(1.0 / 362880.0))));
     Quaternion::new(cosine, vector * (sinc * R::HALF))
-}
-
-/// A quaternion brought back to unit length by one Newton step.
-#[inline(always)]
-pub(super) fn normalised<R: Real>(q: Quaternion<R>) -> Quaternion<R> {
-    q * (R::of(1.5) - R::HALF * q.dot(q))
 }

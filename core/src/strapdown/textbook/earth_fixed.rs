@@ -1,7 +1,7 @@
 //! The textbook step in Earth-fixed axes.
 
 use super::TextbookFrame;
-use super::body::{Compensated, normalised};
+use super::body::Compensated;
 use crate::earth::ROTATION_RATE;
 use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;
@@ -10,7 +10,9 @@ use crate::math::vector::Vector;
 use crate::record::{Record, record};
 use crate::solution::{EarthFixedSolution, Solution};
 use crate::strapdown::block_time::small_turn;
+use crate::strapdown::frame::check_earth_fixed;
 use crate::strapdown::gravitation::Latitude;
+use crate::strapdown::mechanization::Rejected;
 
 /// State in Earth-fixed axes.
 #[derive(Clone, Copy, Debug)]
@@ -69,14 +71,22 @@ impl<R: Real> TextbookFrame for EarthFixedTextbook<R> {
         // q ← q_z(−ζ) ⊗ q ⊗ q(φ)
         let (sine, cosine_less_one) = small_turn(turned * R::HALF);
         let back = Quaternion::new(R::ONE + cosine_less_one, Vector::new(R::ZERO, R::ZERO, -sine));
-        self.attitude = normalised(back * self.attitude * body.rotation);
+        self.attitude = (back * self.attitude * body.rotation).normalised();
     }
 
     fn hold_vertical(&mut self, altitude: R, down: R) {
-        let (up, lift) = self.latitude.vertical(self.position, altitude);
+        // The latitude carried is that of the sample's middle.
+        let mut here = self.latitude;
+        here.gravitation(self.position);
+        let (up, lift) = here.vertical(self.position, altitude);
         self.position = self.position + up * lift;
         let climb = up.dot(self.velocity) + down;
         self.velocity = self.velocity - up * climb;
+    }
+
+    #[inline(always)]
+    fn check_place(&self) -> Result<(), Rejected> {
+        check_earth_fixed(self.position)
     }
 
     fn output(&self) -> EarthFixedSolution<R> {

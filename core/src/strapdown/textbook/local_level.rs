@@ -1,7 +1,7 @@
 //! The textbook step in north, east and down.
 
 use super::TextbookFrame;
-use super::body::{Compensated, normalised, rotation};
+use super::body::{Compensated, rotation};
 use crate::earth::{self, Geodetic, Radii, gravity};
 use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;
@@ -9,7 +9,8 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::record::{Record, record};
 use crate::solution::Solution;
-use crate::strapdown::frame::POLAR_COSINE;
+use crate::strapdown::frame::check_local;
+use crate::strapdown::mechanization::Rejected;
 
 /// State in local-level axes.
 #[derive(Clone, Copy, Debug)]
@@ -91,8 +92,7 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
         (self.sine, self.cosine) = advance(self.sine, self.cosine, self.latitude_change);
 
         // q ← q(−ζ) ⊗ q ⊗ q(φ)
-        let q = rotation(-turned) * self.attitude * body.rotation;
-        self.attitude = normalised(q);
+        self.attitude = (rotation(-turned) * self.attitude * body.rotation).normalised();
     }
 
     fn hold_vertical(&mut self, altitude: R, down: R) {
@@ -101,8 +101,8 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
     }
 
     #[inline(always)]
-    fn is_regular(&self) -> bool {
-        !R::any(self.cosine.less(R::of(POLAR_COSINE)))
+    fn check_place(&self) -> Result<(), Rejected> {
+        check_local(self.cosine, self.position.altitude)
     }
 
     fn output(&self) -> Solution<R> {

@@ -13,9 +13,10 @@ pub use earth_fixed::EarthFixedTextbook;
 pub use local_level::LocalLevelTextbook;
 
 use super::frame::Output;
-use super::mechanization::{Gate, Limits, Mechanization, Rejected, StartError, admit_start};
+use super::mechanization::{
+    Gate, Limits, Mechanization, Rejected, StartError, admit_held, admit_start,
+};
 use crate::math::real::Real;
-use crate::math::vector::Vector;
 use crate::sample::Increment;
 use crate::solution::Solution;
 use body::Compensated;
@@ -34,10 +35,8 @@ pub trait TextbookFrame: Copy {
     fn step(&mut self, interval_s: Self::Real, body: &Compensated<Self::Real>);
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
     fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
-    /// Whether the axes are well defined where it stands.
-    fn is_regular(&self) -> bool {
-        true
-    }
+    /// Whether navigation can go on from where it stands.
+    fn check_place(&self) -> Result<(), Rejected>;
     /// The state as it stands.
     fn output(&self) -> Self::Output;
 }
@@ -83,9 +82,7 @@ impl<F: TextbookFrame> Textbook<F> {
         sample: Increment<F::Real>,
     ) -> Result<Compensated<F::Real>, Rejected> {
         self.gate.admit(&sample)?;
-        if !state.frame.is_regular() {
-            return Err(Rejected::Pole);
-        }
+        state.frame.check_place()?;
         let body = Compensated::of(&sample, &state.previous);
         state.frame.step(self.interval, &body);
         state.previous = sample;
@@ -103,13 +100,10 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
 
     fn start(&self, initial: &Solution<F::Real>) -> Result<TextbookState<F>, StartError> {
         let initial = admit_start(initial)?;
-        // No previous sample: no rotation and no force, hence no coning and no sculling.
-        let previous = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
         let frame = F::start(&initial);
-        if !frame.is_regular() {
-            return Err(StartError::Pole);
-        }
-        Ok(TextbookState { frame, previous, integrated: 0 })
+        frame.check_place().map_err(|_| StartError::Pole)?;
+        // No previous sample: no rotation and no force, hence no coning and no sculling.
+        Ok(TextbookState { frame, previous: Increment::ZERO, integrated: 0 })
     }
 
     #[inline(always)]
@@ -155,8 +149,15 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
     ) {
     }
 
-    fn hold_vertical(&self, state: &mut TextbookState<F>, altitude: F::Real, down: F::Real) {
+    fn hold_vertical(
+        &self,
+        state: &mut TextbookState<F>,
+        altitude: F::Real,
+        down: F::Real,
+    ) -> Result<(), Rejected> {
+        admit_held(altitude, down)?;
         state.frame.hold_vertical(altitude, down);
+        Ok(())
     }
 
     fn frame(state: &TextbookState<F>) -> &F {

@@ -1,5 +1,6 @@
 //! The target's application: what it flies is what a navigator flies without a link.
 
+use crate::line::{Flown, Line, noticed};
 use crate::session::{answers, frame, increments, initial, said, scalars, start};
 use schuler::digest::Digest;
 use schuler::link::bytes::Bytes;
@@ -76,53 +77,6 @@ fn flies_what_a_navigator_flies() {
     flies_the_same_bits::<Strapdown<LocalLevel<Pair<f32>>, H0B4A0>>();
     flies_the_same_bits::<Strapdown<EarthFixed<Pair<f64>>, H2B4A2>>();
     flies_the_same_bits::<Textbook<LocalLevelTextbook<f32>>>();
-}
-
-type Flown = Strapdown<LocalLevel<Pair<f32>>, H0B4A0>;
-
-/// A target that flies, and what it says to one frame after the other.
-struct Line {
-    target: Target<Every>,
-    increments: Vec<Vec<u8>>,
-}
-
-impl Line {
-    fn new(gap: Policy) -> Self {
-        let course = Course::new("manoeuvre", 1.0, 0.5);
-        let mut line = Self { target: Target::new(0), increments: increments::<f32>(&course) };
-        let initial = initial::<Flown>(&course);
-        line.tell(&frame(&start::<Flown>(&initial, gap), 1));
-        line
-    }
-
-    /// The frame of a sample.
-    fn sample(&self, number: u32, sequence: u32) -> Vec<u8> {
-        let increment = Bytes(&self.increments[number as usize - 1]);
-        frame(&Request::Sample { number, increment }, sequence)
-    }
-
-    /// Everything that is answered to some bytes: what is answered, what was noticed, and a name.
-    fn tell(&mut self, bytes: &[u8]) -> Vec<(u32, Counters, String)> {
-        let mut heard = Vec::new();
-        answers(&said(&mut self.target, bytes), |_, answer| {
-            let name = match answer.body {
-                Body::Hello { .. } => "hello".to_owned(),
-                Body::Solution(at) => {
-                    format!("at {} of {}: {:b}", at.integrated, at.taken, at.came)
-                }
-                Body::Restoring { words } => format!("{words} words"),
-                Body::Refused { refusal, taken } => format!("{refusal:?} at {taken}"),
-            };
-            heard.push((answer.answers, answer.counters, name));
-        });
-        heard
-    }
-}
-
-fn noticed(change: impl FnOnce(&mut Counters)) -> Counters {
-    let mut counters = Counters::default();
-    change(&mut counters);
-    counters
 }
 
 #[test]

@@ -5,8 +5,8 @@
 set -euo pipefail
 
 # Arm and x86 vfma… vfms… vfnm…, AArch64 fmadd fmla…, PowerPC fmadd fnmsub…, PowerPC's vectors
-# xsmadd… xvnmsub…, z madb… mseb…, its vectors wfma… vfms….
-fused='^([vw]fn?m[as]|fn?m(add|sub)|fml[as]|x[sv]n?m(add|sub)|m[as][de]b)'
+# xsmadd… xvnmsub… vmaddfp vnmsubfp, z madb… mseb…, its vectors wfma… vfms….
+fused='^([vw]fn?m[as]|fn?m(add|sub)|fml[as]|x[sv]n?m(add|sub)|v(madd|nmsub)fp|m[as][de]b)'
 # A plain multiplication, to see that floating point is disassembled at all.
 plain='^(v?mul[sp][sd]|[vf]mul|fmuls?$|xsmul|m[de]+br?$|wfmdb)'
 
@@ -39,6 +39,8 @@ aarch64 +neon fmls v0.2d, v1.2d, v2.2d
 s390x +vector madbr %f0, %f1, %f2
 powerpc64 +vsx fmadds 0, 1, 2, 3
 powerpc64 +vsx xsnmsubadp 0, 1, 2
+powerpc64 +altivec vmaddfp 0, 1, 2, 3
+powerpc64 +altivec vnmsubfp 0, 1, 2, 3
 END
 llvm-mc --triple=thumbv7em-none-eabihf --mattr=+vfp4 --filetype=obj -o "$object" <<<".fpu vfpv4-sp-d16; vmla.f32 s0, s1, s2"
 [ "$(matching "$fused" "$object")" = 0 ] || fail "takes vmla.f32, which rounds twice, for fused"

@@ -1,5 +1,9 @@
 //! The core's navigators behind one face: frame, precision, algorithm and window chosen at run time.
 
+mod available;
+
+pub use available::{Unavailable, check, terms};
+
 use crate::lanes;
 use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
 use schuler::digest::Digest;
@@ -164,40 +168,6 @@ where
     }
 }
 
-/// What a scene or an option asked for, and is not to be had.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unavailable {
-    /// No window of this shape.
-    Window(WindowShape),
-    /// Two-float products where there are none.
-    TwoFloat,
-    /// The core refuses to start.
-    Start(StartError),
-}
-
-impl std::fmt::Display for Unavailable {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Window(WindowShape { history, block, lookahead }) => {
-                write!(f, "there is no window {history},{block},{lookahead}; accepted: auto")?;
-                NAMED.iter().try_for_each(|(h, b, a)| write!(f, ", {h},{b},{a}"))
-            }
-            Self::TwoFloat => f.write_str(
-                "f32x2 is not to be had here; accepted: f32x2 with taylor and local-level, else f64, f32",
-            ),
-            Self::Start(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for Unavailable {}
-
-impl From<StartError> for Unavailable {
-    fn from(error: StartError) -> Self {
-        Self::Start(error)
-    }
-}
-
 /// Starts the navigator that is asked for, with the window and the order of series that are given.
 pub fn start(
     navigator: &Navigator,
@@ -242,7 +212,7 @@ pub fn start(
 
 /// A function that starts a taylor navigator in a frame with one of some windows, and their shapes.
 macro_rules! starter {
-    ($(#[$doc:meta])* fn $start:ident, $shapes:ident; $($window:ident),+) => {
+    ($(#[$doc:meta])* fn $start:ident, $shapes:ident, $of:literal; $($window:ident),+) => {
         #[doc = concat!("The windows of [`", stringify!($start), "`].")]
         pub(crate) const $shapes: &[Shape] = &[$($window::SHAPE),+];
 
@@ -260,22 +230,22 @@ macro_rules! starter {
                 let strapdown = Strapdown::<F, $window>::new(interval_s)?.with_order(order);
                 return Ok(Flying::boxed(strapdown, initial)?);
             })+
-            Err(Unavailable::Window(shape))
+            Err(Unavailable::Window { shape, of: $of, accepted: $shapes })
         }
     };
 }
 
 schuler::every_window! { starter!
     /// A taylor navigator with any of the named windows.
-    fn taylor, TAYLOR;
+    fn taylor, TAYLOR, "taylor";
 }
 starter! {
     /// The same in arithmetics that are there to be compared with.
-    fn taylor_compared, COMPARED; H0B4A0, H2B4A2, Line8
+    fn taylor_compared, COMPARED, "the comparison"; H0B4A0, H2B4A2, Line8
 }
 starter! {
     /// The same with two-float products.
-    fn taylor_two_float, TWO_FLOAT; H0B4A0, H4B4A0, H2B4A2, H4B4A4
+    fn taylor_two_float, TWO_FLOAT, "f32x2"; H0B4A0, H4B4A0, H2B4A2, H4B4A4
 }
 
 /// A textbook navigator in a frame.

@@ -11,6 +11,49 @@ use tempfile::NamedTempFile;
 pub struct OutputFile {
     path: PathBuf,
     to: Target,
+    /// Goes after the file beside its place.
+    made: MadeFolders,
+}
+
+/// Folders made for a file, each within the one before: those that stay empty go again.
+#[derive(Debug, Default)]
+struct MadeFolders(Vec<PathBuf>);
+
+impl MadeFolders {
+    fn make(folder: &Path) -> io::Result<Self> {
+        let missing = folder.ancestors().take_while(|folder| !folder.exists());
+        let mut missing: Vec<_> = missing.map(Path::to_owned).collect();
+        missing.retain(|folder| folder != Path::new(""));
+        missing.reverse();
+        let made = Self(missing);
+        fs::create_dir_all(folder)?;
+        Ok(made)
+    }
+}
+
+impl Drop for MadeFolders {
+    fn drop(&mut self) {
+        // A folder with something in it cannot be removed, nor can those that it lies in.
+        let _ = self.0.iter().rev().try_for_each(fs::remove_dir);
+    }
+}
+
+/// How many links lead to one another, at most.
+const MOST_LINKS: usize = 40;
+
+/// Where a path leads: through links, even to what is not there yet.
+fn resolved(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match fs::symlink_metadata(&path) {
+            Ok(what) if what.is_symlink() => {
+                let to = fs::read_link(&path)?;
+                path = path.parent().map_or(to.clone(), |folder| folder.join(to));
+            }
+            _ => return Ok(path),
+        }
+    }
+    Err(io::Error::other("too many links lead to one another"))
 }
 
 #[derive(Debug)]
@@ -22,22 +65,24 @@ enum Target {
 }
 
 impl OutputFile {
-    /// To be at a path, whose missing folders are created.
+    /// To be at a path, or where it links to. Missing folders are created.
     pub fn create(path: impl AsRef<Path>) -> Result<Self, InputError> {
         let path = path.as_ref().to_owned();
-        let open = || -> io::Result<Target> {
+        let open = || -> io::Result<Self> {
             if path.is_dir() {
                 return Err(io::Error::other("it is a folder"));
             }
             if path.exists() && !path.is_file() {
                 let file = File::options().write(true).open(&path)?;
-                return Ok(Target::Direct(BufWriter::new(file)));
+                let to = Target::Direct(BufWriter::new(file));
+                return Ok(Self { path: path.clone(), to, made: MadeFolders::default() });
             }
+            let path = resolved(&path)?;
             let folder = match path.parent() {
                 Some(folder) if folder != Path::new("") => folder,
                 _ => Path::new("."),
             };
-            fs::create_dir_all(folder)?;
+            let made = MadeFolders::make(folder)?;
             let mut builder = tempfile::Builder::new();
             builder.prefix(".schuler-");
             #[cfg(unix)]
@@ -46,12 +91,10 @@ impl OutputFile {
                 // What the process's mask leaves of it, as for any new file.
                 builder.permissions(fs::Permissions::from_mode(0o666));
             }
-            Ok(Target::Aside(BufWriter::with_capacity(1 << 16, builder.tempfile_in(folder)?)))
+            let aside = BufWriter::with_capacity(1 << 16, builder.tempfile_in(folder)?);
+            Ok(Self { to: Target::Aside(aside), path, made })
         };
-        match open() {
-            Ok(to) => Ok(Self { path, to }),
-            Err(error) => Err(fault(&path, &error)),
-        }
+        open().map_err(|error| fault(&path, &error))
     }
 
     /// Where it goes.
@@ -67,7 +110,7 @@ impl OutputFile {
 
     /// Puts the file in its place.
     pub fn finish(self) -> Result<(), InputError> {
-        let Self { path, to } = self;
+        let Self { path, to, made: _made } = self;
         let done = match to {
             Target::Direct(mut writer) => writer.flush(),
             Target::Aside(writer) => writer

@@ -104,20 +104,11 @@ impl Plan {
             let with_ns = timing::emulator(&forced, &increments);
             skip("the sensor emulator".to_owned(), "the sensors are perfect", with_ns, 0.0);
         }
-        let widest = Self { window: plan::UNKNOWN.into(), order: plan::HIGHEST_ORDER, ..*self };
-        if scene.navigator.algorithm == Algorithm::Taylor
-            && is_cheaper(self.window, widest.window)
-            && let Some(all) = widest.start(scene, source)
+        if let Some((all, what, why)) = self.unreduced(scene)
+            && let Some(all) = all.start(scene, source)
         {
             let with_ns = timing::navigation(all.as_ref(), &increments);
-            let without_ns = timing::navigation(navigator, &increments);
-            let WindowShape { history, block, lookahead } = widest.window;
-            skip(
-                format!("the window {history},{block},{lookahead} and its full series"),
-                "a cheaper one is planned or asked for",
-                with_ns,
-                without_ns,
-            );
+            skip(what, why, with_ns, timing::navigation(navigator, &increments));
         }
         let mut erring = scene.clone();
         erring.gyro.constant = Some([1e-9; 3]);
@@ -132,6 +123,25 @@ impl Plan {
             skip("theory".to_owned(), "without errors no drift is expected", with_ns, 0.0);
         }
         skipped
+    }
+
+    /// The plan with the widest window, or else the whole series, where this one has less: what that
+    /// leaves out, and why.
+    fn unreduced(&self, scene: &Scene) -> Option<(Self, String, &'static str)> {
+        if scene.navigator.algorithm != Algorithm::Taylor {
+            return None;
+        }
+        let full = Self { order: plan::HIGHEST_ORDER, ..*self };
+        let widest = Self { window: plan::UNKNOWN.into(), ..full };
+        if is_cheaper(self.window, widest.window) {
+            let WindowShape { history, block, lookahead } = widest.window;
+            let what = format!("the window {history},{block},{lookahead} and its full series");
+            return Some((widest, what, "a cheaper one is planned or asked for"));
+        }
+        let terms = navigator::terms(self.window)?.min(plan::HIGHEST_ORDER);
+        let what = format!("orders {} to {terms} of the window's series", self.order + 1);
+        let why = "those below reach the rounding floor for a motion this slow";
+        (self.order < terms).then_some((full, what, why))
     }
 
     /// The navigator of this plan, at the scene's start without its initial error.

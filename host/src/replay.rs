@@ -6,8 +6,8 @@ use crate::navigator::{self, Unavailable};
 use crate::output::say;
 use crate::progress::Progress;
 use crate::recording::navigation::{NavigationRow, NavigationWriter};
-use crate::recording::{Gap, Recording, Sample};
-use crate::scene::Navigator;
+use crate::recording::{Gap, Recording};
+use crate::scene::{Gap as Policy, Navigator};
 use crate::simulate::{FlightError, Refused};
 use crate::units::{ARCSECOND, DEGREE, DEGREE_PER_HOUR};
 use schuler::alignment::{Alignment, AlignmentError};
@@ -43,7 +43,7 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
 
     let spans = Spans::new(args, &recording, &initial)?;
     let start = match args.align {
-        Some(_) => align(&recording, &recording.samples[spans.still.clone()], &initial)?,
+        Some(_) => align(&recording, spans.still, options.gap, &initial)?,
         None => initial,
     };
     let last = fly(&recording, spans.flown, &start, &options, &args.out)?;
@@ -73,14 +73,22 @@ impl Spans {
         let reached = |time_s: f64| {
             recording.samples.partition_point(|sample| sample.time_s <= time_s + slack)
         };
+        let lies_inside = |time_s: f64| time_s >= first_s - slack && time_s <= last_s - slack;
+        let starts_s = |index: usize| recording.samples[index].time_s - recording.interval_s;
         let inside = format!("times within the recording, {first_s} to {last_s} s");
         let complain = |option: &str, what: String, accepted: &str| {
             Err(InputError::option(option, Complaint::new(what, accepted)))
         };
-        let begins = if args.start.is_some() { "--start" } else { "--initial" };
-        if begin_s < first_s - slack || navigate_s > last_s - slack {
-            let what = format!("navigation would start at {begin_s} s");
-            return complain(begins, what, &inside);
+        // The recording's own start is always right.
+        let begins = match (args.start, &args.initial) {
+            (Some(_), _) => "--start",
+            (None, Some(_)) => "--initial",
+            (None, None) => "--align",
+        };
+        if !lies_inside(begin_s) || !lies_inside(navigate_s) {
+            let what = format!("navigation would start at {navigate_s} s");
+            let option = if lies_inside(begin_s) { "--align" } else { begins };
+            return complain(option, what, &inside);
         }
         if args.align.is_none() && (begin_s - own_s).abs() > slack {
             let what = format!("the initial state is that of {own_s} s, not of {begin_s} s");
@@ -91,11 +99,12 @@ impl Spans {
             let what = format!("there is no sample between it and {navigate_s} s");
             return complain("--until", what, &inside);
         }
-        let start_s = recording.samples[flown.start].time_s - recording.interval_s;
+        let start_s = starts_s(flown.start);
         if (start_s - navigate_s).abs() > 2.0 * slack {
             let what = format!("no sample starts at {navigate_s} s");
             let near = format!("a sample's boundary, {start_s} s");
-            return complain(begins, what, &near);
+            let begin_is_one = (starts_s(reached(begin_s)) - begin_s).abs() <= 2.0 * slack;
+            return complain(if begin_is_one { "--align" } else { begins }, what, &near);
         }
         Ok(Self { navigate_s, still: reached(begin_s)..flown.start, flown })
     }
@@ -104,11 +113,20 @@ impl Spans {
 /// Level and north from samples at rest.
 fn align(
     recording: &Recording,
-    still: &[Sample],
+    still: Range<usize>,
+    policy: Policy,
     initial: &NavigationRow,
-) -> Result<NavigationRow, InputError> {
+) -> Result<NavigationRow, FlightError> {
+    let mut lost = 0;
+    for gap in recording.gaps().filter(|gap| gap.index > still.start && gap.index <= still.end) {
+        let missing = missing(recording, gap.index, Some(gap))?;
+        if policy == Policy::Error {
+            return Err(refused_at(Refused::Missing, recording, gap.index, missing));
+        }
+        lost += missing;
+    }
     let mut alignment = Alignment::default();
-    for sample in still {
+    for sample in &recording.samples[still.clone()] {
         alignment.add(&sample.increment);
     }
     let attitude = alignment.attitude().map_err(|error: AlignmentError| {
@@ -116,8 +134,9 @@ fn align(
     })?;
     let (rate, force) = alignment.mean(recording.interval_s);
     let [roll, pitch, yaw] = [attitude.roll, attitude.pitch, attitude.yaw].map(|a| a / DEGREE);
+    let lost = if lost > 0 { format!(", {lost} missing") } else { String::new() };
     let text = format!(
-        "aligned on {} samples: roll {roll:.4}°, pitch {pitch:.4}°, heading {:.4}°\n\
+        "aligned on {} samples{lost}: roll {roll:.4}°, pitch {pitch:.4}°, heading {:.4}°\n\
          mean rate {:.3} °/h, mean specific force {:.6} m/s²\n",
         still.len(),
         yaw.rem_euclid(360.0),
@@ -189,11 +208,11 @@ impl Rows {
 
 fn unavailable(error: Unavailable) -> InputError {
     let option = match error {
-        Unavailable::Window(_) => "--window",
+        Unavailable::Window { .. } | Unavailable::NoWindow => "--window",
         Unavailable::TwoFloat => "--precision",
         Unavailable::Start(_) => "--initial",
     };
-    InputError::option(option, Complaint::new(error.to_string(), ""))
+    InputError::option(option, error.complaint())
 }
 
 /// How many samples are missing before one. An error is a step that no whole number of them explains,

@@ -19,6 +19,7 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     progress.finish();
     drift.finish()?;
     if args.no_report {
+        report::remove_pages(&directory)?;
         report::summary::write(&flight, &directory)?;
     } else {
         report::write(&flight, &directory)?;

@@ -5,6 +5,7 @@ mod log;
 mod vehicle;
 
 pub use error::{FlightError, Refused};
+pub use log::largest;
 pub use vehicle::Vehicle;
 
 use crate::flight::{Flight, Instant, Nine};
@@ -62,7 +63,7 @@ impl<'a> Simulation<'a> {
         progress: &dyn Fn(u64),
     ) -> Result<Flight, FlightError> {
         let Self { scene, source, plan, mut theory, initial, mut vehicle } = self;
-        let samples = scene.samples();
+        let (samples, gap) = (scene.samples(), scene.navigator.gap);
         let mut log = Log::new(samples, scene.rate_hz);
         let mut written = Ok(());
         let mut row = |n: u64, computed: &Solution<f64>| {
@@ -74,19 +75,19 @@ impl<'a> Simulation<'a> {
         };
         row(0, &initial);
         let mut stream = source.start(0);
-        let mut bridge = Bridge::new(scene.navigator.gap.into());
+        let mut bridge = Bridge::new(gap.into());
         for sample in 1..=samples {
             let measured = stream.advance();
             let taken = bridge.take(measured, |increment| {
                 push(vehicle.as_mut(), increment, scene, &source, &mut row)
             });
-            taken.map_err(|refused| refused.at(sample, &source))?;
+            taken.map_err(|refused| refused.at(sample, &source, gap))?;
             progress(sample);
         }
         bridge
             .finish(|increment| push(vehicle.as_mut(), increment, scene, &source, &mut row))
             .and_then(|()| vehicle.finish(&mut row))
-            .map_err(|refused| refused.at(samples, &source))?;
+            .map_err(|refused| refused.at(samples, &source, gap))?;
         written?;
 
         Ok(Flight {

@@ -61,6 +61,12 @@ pub fn per_sample(samples: u64, pass: &mut dyn FnMut()) -> f64 {
             start.elapsed().as_secs_f64()
         })
         .collect();
+    1e9 * quartile(&mut times, 2) / samples.max(1) as f64
+}
+
+/// The n-th quartile of some times, which it sorts; NaN of none.
+pub fn quartile(times: &mut [f64], n: usize) -> f64 {
     times.sort_by(f64::total_cmp);
-    1e9 * times[PASSES / 2] / samples.max(1) as f64
+    let last = times.len().saturating_sub(1);
+    times.get((n * last + 2) / 4).copied().unwrap_or(f64::NAN)
 }

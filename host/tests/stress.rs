@@ -23,7 +23,7 @@ fn cases_that_pass_are_printed_and_written() {
     assert!(said.contains("checks, 0 failed"), "{said}");
     let written = fs::read_to_string(folder.path().join("out/stress.csv")).unwrap();
     let mut reader = csv::Reader::from_reader(written.as_bytes());
-    let header = ["group", "case", "bound", "measured", "unit", "verdict"];
+    let header = ["group", "case", "bound", "measured", "unit", "verdict", "why"];
     assert_eq!(reader.headers().unwrap(), &header[..]);
     let mut rows = 0;
     for record in reader.records() {
@@ -31,7 +31,7 @@ fn cases_that_pass_are_printed_and_written() {
         assert_eq!((&record[0], &record[5]), ("numbers", "pass"));
         assert!(record[1].contains("subnormal"), "{record:?}");
         let [bound, measured] = [2, 3].map(|i| record[i].parse::<f64>().unwrap());
-        assert!(measured <= bound, "{record:?}");
+        assert!(measured <= bound && record[6].len() > 10, "{record:?}");
         rows += 1;
     }
     // Two frames with three kinds of zeros, and two with a start of subnormals and two checks each.
@@ -56,6 +56,16 @@ fn a_name_that_no_case_has_is_told() {
 }
 
 #[test]
+fn what_cannot_be_written_is_told_before_the_work_begins() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("taken"), "").unwrap();
+    let done = stress(folder.path(), &["--case", "subnormal", "--out", "taken"]);
+    assert_eq!(done.status.code(), Some(2), "{done:?}");
+    assert!(String::from_utf8(done.stderr).unwrap().contains("cannot be written"));
+    assert!(done.stdout.is_empty());
+}
+
+#[test]
 fn a_check_that_fails_fails_the_run() {
     let made = |measured: f64| {
         Case::new("group", format!("measures {measured}"), move |_: &CaseProgress| {
@@ -69,6 +79,10 @@ fn a_check_that_fails_fails_the_run() {
     let failed = schuler_host::stress::judge(&rows).unwrap_err();
     assert_eq!(failed.to_string(), "3 of 4 checks failed");
     assert!(schuler_host::stress::judge(&rows[..1]).is_ok());
+    let csv = String::from_utf8(schuler_host::stress::csv(&rows)).unwrap();
+    let lines: Vec<_> = csv.lines().skip(1).collect();
+    assert_eq!(lines[2], "group,\"measures NaN, it\",1.0,NaN,m,fail,made up");
+    assert_eq!(lines[3], "group,breaks off,,,,fail,why");
 }
 
 #[test]

@@ -20,6 +20,82 @@ fn holds(name: &str, bound_m: f64, change: impl Fn(&mut Scene)) {
     assert!(position_m <= bound_m, "{name}: {position_m:.3e} m exceeds {bound_m:.3e} m");
 }
 
+/// A row of the README's table: how it begins, and its three cells.
+fn row<'a>(readme: &'a str, begins: &str) -> [&'a str; 3] {
+    let mut rows =
+        readme.lines().filter(|line| line.trim_start_matches(['|', ' ', '*']).starts_with(begins));
+    let line = rows.next().unwrap_or_else(|| panic!("no row {begins}"));
+    assert_eq!(rows.next(), None, "{begins}");
+    let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+    [cells[2], cells[3], cells[4]]
+}
+
+/// Whether a number has the digits that are printed of it: `8.5e-9 m`, `0.26 m`.
+fn is_printed(number: f64, cell: &str) -> bool {
+    let printed = cell.strip_suffix(" m").unwrap();
+    let (digits, exponent) = printed.split_once('e').unwrap_or((printed, "0"));
+    let places = digits.split_once('.').map_or(0, |(_, after)| after.len()) as i32;
+    let last = 10.0_f64.powi(exponent.parse::<i32>().unwrap() - places);
+    (number - printed.parse::<f64>().unwrap()).abs() <= 0.501 * last
+}
+
+/// Bits are the same everywhere, and so are these digits.
+#[test]
+fn every_cell_of_the_readme() {
+    type Change = fn(&mut Scene);
+    let rows: [(&str, Change); 11] = [
+        ("taylor, window by the plan, Earth-fixed", |s| s.navigator.frame = Frame::EarthFixed),
+        ("taylor, window by the plan, local-level", |_| {}),
+        ("taylor, a parabola over 40", |s| {
+            (s.navigator.frame, s.navigator.window) = (Frame::EarthFixed, window(0, 40, 0));
+        }),
+        ("taylor, 4 samples (`--window 0,4,0`), Earth-fixed", |s| {
+            (s.navigator.frame, s.navigator.window) = (Frame::EarthFixed, window(0, 4, 0));
+        }),
+        ("taylor, 4 samples, local-level", |s| s.navigator.window = window(0, 4, 0)),
+        ("taylor, 8 samples, no delay", |s| s.navigator.window = window(4, 4, 0)),
+        ("taylor, 8 samples (`--window 2,4,2`)", |s| {
+            (s.navigator.frame, s.navigator.window) = (Frame::EarthFixed, window(2, 4, 2));
+        }),
+        ("4 samples in `f32x2`", |s| {
+            (s.navigator.precision, s.navigator.window) = (Precision::F32x2, window(0, 4, 0));
+        }),
+        ("window by the plan in `f32`", |s| s.navigator.precision = Precision::F32),
+        ("4 samples in `f32`", |s| {
+            (s.navigator.precision, s.navigator.window) = (Precision::F32, window(0, 4, 0));
+        }),
+        ("our textbook", |s| s.navigator.algorithm = Algorithm::Textbook),
+    ];
+    let readme = include_str!("../../README.md");
+    let mut cells = 0;
+    for (begins, change) in rows {
+        for (name, cell) in
+            ["paper-perfect", "hard", "manoeuvre"].into_iter().zip(row(readme, begins))
+        {
+            if !cell.is_empty() {
+                let [position_m, ..] = fly(name, change).max.norms;
+                assert!(
+                    is_printed(position_m, cell),
+                    "{begins}, {name}: {position_m:.3e} m, {cell}"
+                );
+                cells += 1;
+            }
+        }
+    }
+    assert_eq!(cells, 28);
+}
+
+/// The paper's course with a steady climb in place of its flight: no sample is like another.
+#[test]
+fn a_steady_climb() {
+    for (rate, bound_m) in [(10.0, 1e-8), (-2.0, 1e-8)] {
+        holds("stationary", bound_m, |scene| {
+            scene.trajectory.altitude.rate = rate;
+            scene.duration_s = 600.0;
+        });
+    }
+}
+
 #[test]
 fn the_papers_flight_to_ten_nanometres_in_both_frames() {
     for frame in [Frame::LocalLevel, Frame::EarthFixed] {

@@ -70,9 +70,13 @@ pub fn record(
         if let Some(measured) = &measured {
             noise.row(0, sample, &words(measured));
         }
-        bridge.take(measured, &mut fly).map_err(|refused| refused.at(sample, &source))?;
+        bridge
+            .take(measured, &mut fly)
+            .map_err(|refused| refused.at(sample, &source, scene.navigator.gap))?;
     }
-    bridge.finish(&mut fly).map_err(|refused| refused.at(scene.samples(), &source))?;
+    bridge
+        .finish(&mut fly)
+        .map_err(|refused| refused.at(scene.samples(), &source, scene.navigator.gap))?;
 
     let mut chains: Vec<Named> = SHARED
         .iter()

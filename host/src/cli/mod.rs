@@ -3,15 +3,16 @@
 mod audit;
 mod hil;
 mod options;
+mod start;
 
 pub use audit::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, NavigatorOptions, Window};
 
 use crate::input::{Complaint, InputError};
-use crate::scene::{Gap, Scene, builtin};
-use clap::{Args, Parser, Subcommand};
-use std::path::PathBuf;
+use crate::scene::{self, Gap, Scene, builtin};
+use clap::{Args, CommandFactory, Parser, Subcommand};
+use std::path::{Path, PathBuf};
 
 const ABOUT: &str = "Flies a strapdown inertial navigation system through a scene: \
     true motion, sensors with errors, navigation, and its drift beside theory";
@@ -91,7 +92,10 @@ pub struct RunArgs {
 impl RunArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
-        load(self.scene.as_deref(), &self.flight, &self.navigator)
+        // A command with a slip of the pen is taken for a scene.
+        let program = <Cli as CommandFactory>::command();
+        let commands: Vec<_> = program.get_subcommands().map(clap::Command::get_name).collect();
+        load_beside(self.scene.as_deref(), &commands, &self.flight, &self.navigator)
     }
 }
 
@@ -118,8 +122,12 @@ pub struct EmulateArgs {
 impl EmulateArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
-        let name = self.scene.as_deref();
-        let mut scene = load(name, &self.flight, &NavigatorOptions::default())?;
+        let name = self.scene.as_deref().unwrap_or(builtin::DEFAULT);
+        let mut scene = scene::load(name)?;
+        self.flight.apply(&mut scene)?;
+        if builtin::scene(name).is_none() {
+            spare(&self.out, "the scene is read from", Path::new(name))?;
+        }
         if self.perfect {
             scene.gyro = Default::default();
             scene.accelerometer = Default::default();
@@ -161,22 +169,21 @@ pub struct ReplayArgs {
 }
 
 impl ReplayArgs {
-    /// What no option alone can get wrong: an end before the start.
+    /// What no option alone can get wrong: `--out` is none of the files that are read.
     pub fn check(&self) -> Result<(), InputError> {
-        for (option, file) in [("--imu", Some(&self.imu)), ("--initial", self.initial.as_ref())] {
-            let same = file.and_then(|file| file.canonicalize().ok());
-            if same.is_some() && same == self.out.canonicalize().ok() {
-                let what = format!("is the file that {option} reads");
-                return Err(InputError::option("--out", Complaint::new(what, "another file")));
-            }
+        spare(&self.out, "--imu reads", &self.imu)?;
+        self.initial.as_ref().map_or(Ok(()), |initial| spare(&self.out, "--initial reads", initial))
+    }
+}
+
+/// Refuses to write over a file that is read.
+fn spare(out: &Path, reads: &str, file: &Path) -> Result<(), InputError> {
+    match (out.canonicalize(), file.canonicalize()) {
+        (Ok(out), Ok(file)) if out == file => {
+            let what = format!("is the file that {reads}");
+            Err(InputError::option("--out", Complaint::new(what, "another file")))
         }
-        let (Some(start), Some(until)) = (self.start, self.until) else { return Ok(()) };
-        let begin = start + self.align.unwrap_or(0.0);
-        if until > begin {
-            return Ok(());
-        }
-        let what = format!("{until} s is not after navigation starts");
-        Err(InputError::option("--until", Complaint::new(what, format!("seconds, above {begin}"))))
+        _ => Ok(()),
     }
 }
 
@@ -205,7 +212,7 @@ pub struct FrontierArgs {
     after_help = "Examples:\n  schuler stress\n  schuler stress --full --case coning --out out/stress"
 )]
 pub struct StressArgs {
-    /// The long cases, too: some ten minutes
+    /// The long cases, too: some six minutes
     #[arg(long)]
     pub full: bool,
     /// Only the cases with this in their name
@@ -243,14 +250,26 @@ impl EnsembleArgs {
     }
 }
 
-/// A scene, with options applied.
+/// A scene that is to be flown, with options applied.
 fn load(
     name: Option<&str>,
     flight: &FlightOptions,
     navigator: &NavigatorOptions,
 ) -> Result<Scene, InputError> {
-    let mut scene = crate::scene::load(name.unwrap_or(builtin::DEFAULT))?;
+    load_beside(name, &[], flight, navigator)
+}
+
+/// The same where a command of these names may have been meant.
+fn load_beside(
+    name: Option<&str>,
+    commands: &[&str],
+    flight: &FlightOptions,
+    navigator: &NavigatorOptions,
+) -> Result<Scene, InputError> {
+    let name = name.unwrap_or(builtin::DEFAULT);
+    let mut scene = scene::load_beside(name, commands)?;
     flight.apply(&mut scene)?;
     navigator.apply(&mut scene.navigator)?;
+    start::check(&scene, name, navigator.frame)?;
     Ok(scene)
 }

@@ -1,6 +1,7 @@
 //! Options that several commands share, with the limits of a scene's own keys.
 
 use crate::input::{Complaint, InputError, Range};
+use crate::navigator;
 use crate::scene::{Algorithm, Frame, Navigator, Precision, Scene, WindowShape, limits};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -43,13 +44,15 @@ pub struct Window(pub Option<WindowShape>);
 impl FlightOptions {
     /// Puts what was given in place of the scene's own, and checks the whole again.
     pub fn apply(&self, scene: &mut Scene) -> Result<(), InputError> {
-        let before = (scene.duration_s, scene.rate_hz);
+        let duration_s = scene.duration_s;
         scene.seed = self.seed.unwrap_or(scene.seed);
         scene.duration_s = self.duration.unwrap_or(scene.duration_s);
         scene.rate_hz = self.rate.unwrap_or(scene.rate_hz);
         limits::check(scene).map_err(|(key, complaint)| {
-            // The scene was right before, so the change is to blame.
-            let option = if scene.duration_s == before.0 { "--rate" } else { "--duration" };
+            // The scene was right before, so a change is to blame: the rate, if it alone is wrong.
+            let rate_alone = Scene { duration_s, ..scene.clone() };
+            let rate = self.duration.is_none() || limits::check(&rate_alone).is_err();
+            let option = if rate { "--rate" } else { "--duration" };
             let what = match key {
                 "duration_s" => complaint.what,
                 _ => format!("with this, {key} {}", complaint.what),
@@ -65,14 +68,26 @@ impl NavigatorOptions {
         navigator.frame = self.frame.unwrap_or(navigator.frame);
         navigator.precision = self.precision.unwrap_or(navigator.precision);
         navigator.algorithm = self.algorithm.unwrap_or(navigator.algorithm);
-        if let Some(Window(window)) = self.window {
-            navigator.window = window;
-            if window.is_some() && navigator.algorithm == Algorithm::Textbook {
-                let complaint = Complaint::new("textbook has no window", "--algorithm taylor");
-                return Err(InputError::option("--window", complaint));
-            }
+        match self.window {
+            Some(Window(window)) => navigator.window = window,
+            // The file's window is that of an algorithm which is not asked for.
+            None if self.algorithm == Some(Algorithm::Textbook) => navigator.window = None,
+            None => {}
         }
-        Ok(())
+        navigator::check(navigator).map_err(|unavailable| {
+            // The scene was right before, so an option is to blame: the one about the key, or another.
+            let given = [
+                ("navigator.window", "--window", self.window.is_some()),
+                ("navigator.precision", "--precision", self.precision.is_some()),
+                ("navigator.frame", "--frame", self.frame.is_some()),
+                ("navigator.algorithm", "--algorithm", self.algorithm.is_some()),
+            ];
+            let own = given.iter().find(|(key, _, given)| *given && *key == unavailable.key());
+            let other =
+                || given.iter().find(|(key, _, given)| *given && *key != "navigator.window");
+            let option = own.or_else(other).map_or("--window", |(_, option, _)| option);
+            InputError::option(option, unavailable.complaint())
+        })
     }
 }
 

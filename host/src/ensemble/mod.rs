@@ -21,6 +21,7 @@ use crate::simulate::FlightError;
 use crate::source::{Source, SourceError};
 use crate::theory::Theory;
 use group::{Ground, Unit};
+use statistics::Verdict;
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::thread;
@@ -66,7 +67,10 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     text += &speed(args.runs, took, unit, threads, pace::navigation_ns(&ground, unit)?);
     text += &format!("written to {}\n", directory.display());
     say(&text)?;
-    Ok(())
+    match Verdict::new(&comparisons) {
+        Verdict { failed: 0, .. } => Ok(()),
+        Verdict { failed, tests, .. } => Err(FlightError::Failed { failed, checks: tests }),
+    }
 }
 
 /// What it took, and what flying side by side is worth.

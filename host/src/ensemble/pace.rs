@@ -21,8 +21,5 @@ pub fn navigation_ns(ground: &Ground, unit: Unit) -> Result<[f64; 2], Unavailabl
             }
         }
     }
-    Ok(turns.map(|mut ns| {
-        ns.sort_by(f64::total_cmp);
-        ns[TURNS / 2]
-    }))
+    Ok(turns.map(|mut ns| timing::quartile(&mut ns, 2)))
 }

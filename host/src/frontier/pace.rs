@@ -43,10 +43,8 @@ pub fn time(
 
 /// The median, and the distance from the first to the third quartile.
 fn median_and_spread(mut times: Vec<f64>) -> (f64, f64) {
-    times.sort_by(f64::total_cmp);
-    let last = times.len().saturating_sub(1);
-    let quartile = |n: usize| times.get((n * last + 2) / 4).copied().unwrap_or(f64::NAN);
-    (quartile(2), quartile(3) - quartile(1))
+    let [first, median, third] = [1, 2, 3].map(|n| timing::quartile(&mut times, n));
+    (median, third - first)
 }
 
 #[cfg(test)]

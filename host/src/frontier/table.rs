@@ -1,4 +1,4 @@
-//! The points as `frontier.csv`, and the front as a table that says what to pick.
+//! The front as a table that says what to pick, and what was left out.
 
 use super::case::Case;
 use super::task::Task;

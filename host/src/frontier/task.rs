@@ -48,7 +48,14 @@ pub fn tasks(args: &FrontierArgs) -> Result<Vec<Task>, FlightError> {
     let mut names: Vec<&str> = if args.scene.is_empty() { SCENES.into() } else { named.collect() };
     let mut seen = HashSet::new();
     names.retain(|name| seen.insert(*name));
-    names.into_iter().map(|name| task(name, args)).collect()
+    let tasks: Vec<_> = names.into_iter().map(|name| task(name, args)).collect::<Result<_, _>>()?;
+    // Files tell their points apart by the scene's name.
+    let mut seen = HashSet::new();
+    if let Some(task) = tasks.iter().find(|task| !seen.insert(&task.scene.name)) {
+        let what = format!("two scenes are called {}", task.scene.name);
+        Err(InputError::option("--scene", Complaint::new(what, "different file names")))?;
+    }
+    Ok(tasks)
 }
 
 fn task(name: &str, args: &FrontierArgs) -> Result<Task, FlightError> {

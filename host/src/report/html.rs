@@ -31,9 +31,12 @@ pub fn page(flight: &Flight) -> String {
     page::page(&format!("{title}: drift against theory"), &body)
 }
 
+/// The file's name.
+pub const NAME: &str = "report.html";
+
 /// Writes `report.html` into a directory.
 pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
-    output::write(directory.join("report.html"), page(flight))
+    output::write(directory.join(NAME), page(flight))
 }
 
 fn headline(flight: &Flight) -> String {

@@ -26,7 +26,7 @@ pub mod svg;
 pub mod table;
 
 use crate::flight::{Flight, Nine};
-use crate::input::InputError;
+use crate::input::{Complaint, InputError};
 use std::path::Path;
 
 pub use drift_csv::DriftCsv;
@@ -38,6 +38,21 @@ pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
     summary::write(flight, directory)?;
     plot::write(flight, directory)?;
     html::write(flight, directory)
+}
+
+/// Removes the two for people, which an earlier flight may have left: they would not be of this one.
+pub fn remove_pages(directory: &Path) -> Result<(), InputError> {
+    for name in [plot::NAME, html::NAME] {
+        let path = directory.join(name);
+        match std::fs::remove_file(&path) {
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                let complaint = Complaint::new(format!("cannot be removed: {error}"), "");
+                return Err(InputError::file(&path.display().to_string(), complaint));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 /// The run in one line: scene, length, navigator, seed.

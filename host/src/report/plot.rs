@@ -37,9 +37,12 @@ pub fn png(flight: &Flight) -> io::Result<Vec<u8>> {
     sheet.png()
 }
 
+/// The file's name.
+pub const NAME: &str = "drift.png";
+
 /// Writes `drift.png` into a directory.
 pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
-    let path = directory.join("drift.png");
+    let path = directory.join(NAME);
     let picture = png(flight).map_err(|error| {
         let complaint = Complaint::new(format!("cannot be drawn: {error}"), "");
         InputError::file(&path.display().to_string(), complaint)

@@ -1,12 +1,14 @@
 //! What a scene may ask for: the same limits for its file and for the command line.
 
 use super::build::HARMONICS;
-use super::{Channel, Scene, WindowShape};
+use super::{Channel, Scene, Trajectory, WindowShape};
 use crate::input::{Complaint, Range};
 use crate::units::DEGREE;
 use schuler::earth::SEMI_MAJOR_AXIS;
 use schuler::strapdown::plan;
 use schuler::strapdown::window::NAMED;
+use schuler::trajectory::Trajectory as _;
+use std::f64::consts::TAU;
 
 /// Length of a scene, s.
 pub const DURATION_S: Range = Range::above(0.0, 1e9, "seconds, above 0 and at most 1e9");
@@ -25,6 +27,9 @@ const MAX_JITTER: f64 = 0.1;
 
 /// Angular rate of one attitude channel, rad/s.
 const MAX_ANGULAR_RATE: f64 = 1e5 * DEGREE;
+/// The motion's phase within a sample, rad: 1024 panels of 8 nodes, the most that
+/// [`schuler::imu::Quadrature`] takes, leave a hundredth of the rounding of it.
+const MOST_PHASE: f64 = 2000.0;
 /// Acceleration along one channel, m/s².
 const MAX_ACCELERATION: f64 = 1e5;
 /// Speed along one channel, m/s.
@@ -66,6 +71,54 @@ impl Channel {
     }
 }
 
+impl Trajectory {
+    /// The channels with their keys.
+    fn named(&self) -> [(&'static str, &Channel); 6] {
+        [
+            ("trajectory.roll_deg", &self.roll),
+            ("trajectory.pitch_deg", &self.pitch),
+            ("trajectory.yaw_deg", &self.yaw),
+            ("trajectory.latitude_deg", &self.latitude),
+            ("trajectory.longitude_deg", &self.longitude),
+            ("trajectory.altitude_m", &self.altitude),
+        ]
+    }
+}
+
+/// Refuses a motion that goes through more of its phase within a sample than can be integrated.
+fn sampled(motion: &Trajectory, rate_hz: f64) -> Result<(), (&'static str, Complaint)> {
+    let Ok(course) = motion.build() else { return Ok(()) };
+    let excess = course.bound().bandwidth / (MOST_PHASE * rate_hz);
+    if !exceeds(excess, 1.0) {
+        return Ok(());
+    }
+    let fastest = |channel: &Channel| {
+        channel
+            .harmonics
+            .iter()
+            .filter(|h| h.amplitude != 0.0)
+            .fold(0.0, |most: f64, h| most.max(h.angular_rate))
+    };
+    let share = |channel: &Channel| fastest(channel) + channel.derivative_bound(1);
+    let named = motion.named();
+    // Metres per second are no angular rate.
+    let shares = named.map(|(key, channel)| match key {
+        "trajectory.altitude_m" => fastest(channel),
+        _ => share(channel),
+    });
+    let (key, channel) = named
+        .into_iter()
+        .zip(shares)
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .map_or(named[0], |(channel, _)| channel);
+    let accepted = match fastest(channel) {
+        0.0 => format!("what turns slower by a factor of {excess:.3}, or a higher rate_hz"),
+        // Rounded up: what it names is accepted.
+        wave => format!("periods from {:.2e} s, or a higher rate_hz", 1.01 * TAU / wave * excess),
+    };
+    Err((key, Complaint::new(format!("is too fast for {rate_hz} samples per second"), accepted)))
+}
+
 /// NaN, from an overflow, is beyond every limit.
 fn exceeds(value: f64, most: f64) -> bool {
     value.is_nan() || value > most
@@ -83,14 +136,7 @@ pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
         );
     }
     let motion = &scene.trajectory;
-    let named = [
-        ("trajectory.roll_deg", &motion.roll),
-        ("trajectory.pitch_deg", &motion.pitch),
-        ("trajectory.yaw_deg", &motion.yaw),
-        ("trajectory.latitude_deg", &motion.latitude),
-        ("trajectory.longitude_deg", &motion.longitude),
-        ("trajectory.altitude_m", &motion.altitude),
-    ];
+    let named = motion.named();
     let harmonics: usize = named.iter().map(|(_, channel)| channel.harmonics.len()).sum();
     if harmonics > HARMONICS {
         let accepted = format!("at most {HARMONICS} over all channels");
@@ -111,6 +157,7 @@ pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
             return blame(key, "moves too fast".to_owned(), accepted.to_owned());
         }
     }
+    sampled(motion, scene.rate_hz)?;
     let extent = motion.altitude.extent(scene.duration_s);
     for altitude in extent {
         if let Err(mut complaint) = ALTITUDE_M.check(altitude) {

@@ -7,7 +7,7 @@ pub mod builtin;
 pub mod limits;
 pub mod parse;
 
-use crate::input::document::did_you_mean;
+use crate::input::document::{Document, did_you_mean};
 use crate::input::{Complaint, InputError, read_text};
 use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
@@ -51,18 +51,38 @@ impl Scene {
 
 /// A built-in scene by its name, or the scene in a TOML file by its path.
 pub fn load(name_or_path: &str) -> Result<Scene, InputError> {
+    load_beside(name_or_path, &[])
+}
+
+/// The same where something else may have been meant, which has these names.
+pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputError> {
     if let Some(scene) = builtin::scene(name_or_path) {
         return Ok(scene);
     }
     let is_path = name_or_path.contains(['/', '\\', '.']) || Path::new(name_or_path).exists();
     if !is_path {
-        let names: Vec<_> = builtin::names().map(|(name, _)| name).collect();
+        let names = builtin::names().map(|(name, _)| name);
+        let names: Vec<_> = names.chain(other.iter().copied()).collect();
         let hint = did_you_mean(name_or_path, &names);
         let accepted = format!("{}, or the path of a TOML file", builtin::list());
         let what = format!("there is no such scene{hint}");
         return Err(InputError::option(name_or_path, Complaint::new(what, accepted)));
     }
     parse::scene(name_or_path, &read_text(name_or_path)?)
+}
+
+/// A complaint about a key of a scene that was loaded, at its line where it is a file's.
+pub fn blame(name_or_path: &str, key: &str, complaint: Complaint) -> InputError {
+    if builtin::scene(name_or_path).is_some() {
+        return InputError::option(key, complaint);
+    }
+    read_text(name_or_path).map_or_else(
+        |error| error,
+        |text| match Document::parse(name_or_path, &text) {
+            Ok(document) => document.error(key, complaint),
+            Err(error) => error,
+        },
+    )
 }
 
 /// The six channels; angles in rad, altitude in m.

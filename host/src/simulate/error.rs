@@ -2,6 +2,7 @@
 
 use crate::input::{Complaint, InputError};
 use crate::navigator::Unavailable;
+use crate::scene::Gap;
 use crate::source::{Source, SourceError};
 use schuler::link::gap::Missing;
 use schuler::strapdown::mechanization::Rejected;
@@ -18,6 +19,8 @@ pub enum FlightError {
         sample: u64,
         /// Its end, s.
         time_s: f64,
+        /// Whether gaps are bridged, and no sample arrived to bridge from.
+        bridged: bool,
     },
     /// The navigator refused a sample.
     Rejected {
@@ -43,7 +46,12 @@ impl fmt::Display for FlightError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Input(error) | Self::Stopped(error) => error.fmt(f),
-            Self::Lost { sample, time_s } => write!(
+            Self::Lost { sample, time_s, bridged: true } => write!(
+                f,
+                "until sample {sample} at {time_s} s all were lost on the link: \
+                 no sample arrived to bridge from"
+            ),
+            Self::Lost { sample, time_s, bridged: false } => write!(
                 f,
                 "sample {sample} at {time_s} s was lost on the link; \
                  navigator.gap = \"bridge\" would fill it from its neighbours"
@@ -76,12 +84,7 @@ impl From<SourceError> for FlightError {
 
 impl From<Unavailable> for FlightError {
     fn from(error: Unavailable) -> Self {
-        let key = match error {
-            Unavailable::Window(_) => "window",
-            Unavailable::TwoFloat => "precision",
-            Unavailable::Start(_) => "navigator",
-        };
-        Self::Input(InputError::option(key, Complaint::new(error.to_string(), "")))
+        Self::Input(InputError::option(error.key(), error.complaint()))
     }
 }
 
@@ -110,10 +113,10 @@ impl From<Rejected> for Refused {
 
 impl Refused {
     /// The error that ends a run at a sample.
-    pub fn at(self, sample: u64, source: &Source) -> FlightError {
+    pub fn at(self, sample: u64, source: &Source, gap: Gap) -> FlightError {
         let time_s = source.time_s(sample);
         match self {
-            Self::Missing => FlightError::Lost { sample, time_s },
+            Self::Missing => FlightError::Lost { sample, time_s, bridged: gap == Gap::Bridge },
             Self::Rejected(why) => FlightError::Rejected { sample, time_s, why },
             Self::Stopped(complaint) => {
                 FlightError::Stopped(InputError::option("--device", complaint))

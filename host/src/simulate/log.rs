@@ -67,6 +67,17 @@ impl Log {
 }
 
 /// The larger; a NaN is kept for everyone to see.
-fn largest(a: f64, b: f64) -> f64 {
+pub fn largest(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_number_is_the_largest() {
+        assert_eq!([largest(1.0, 2.0), largest(2.0, 1.0)], [2.0, 2.0]);
+        assert!(largest(f64::NAN, 1.0).is_nan() && largest(1.0, f64::NAN).is_nan());
+    }
 }

@@ -1,8 +1,9 @@
 //! Age: states stored after a long run, and sums of very many terms.
 
 use super::case::{Case, Check, Outcome};
-use super::floor::UNIT;
+use super::floor::{SINGLE_UNIT, UNIT};
 use super::flown::built_in;
+use super::split_mix::word;
 use crate::progress::CaseProgress;
 use crate::source::Source;
 use schuler::math::compensated::{Accumulate as _, Pair, Plain, TwoFloat};
@@ -118,14 +119,6 @@ fn count(a: &[u64], b: &[u64]) -> u64 {
     a.iter().zip(b).filter(|(a, b)| a != b).count() as u64 + a.len().abs_diff(b.len()) as u64
 }
 
-/// Steele, Lea and Flood's SplitMix64.
-fn word(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let x = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
-}
-
 /// 2⁶⁰: what makes an integer of a term.
 const SCALE: f64 = 1_152_921_504_606_846_976.0;
 
@@ -157,14 +150,22 @@ fn random_terms(terms: u64, progress: &CaseProgress) -> Outcome {
     let walk = MOST_SIGMA * UNIT * (n / 3.0).sqrt();
     // A whole pair rounds its low part only: to u of half an ulp of the sum.
     let low = MOST_SIGMA * UNIT * UNIT * n * (n / 3.0).sqrt();
-    // A plain sum rounds itself: u of it, each time; it must be worse, or the case shows nothing.
+    // A plain sum rounds itself: u of it, each time.
     let why = "6 sigma of a walk of n roundings: of a term, of the low part";
-    let plain_off = off(Pair::new(plain.0), exact);
+    let (plain_off, pair_off) = (off(Pair::new(plain.0), exact), off(pair, exact));
+    let worse = plain_off / pair_off;
     Ok(vec![
-        Check::at_most("compensated", walk, off(pair, exact), "", why),
+        Check::at_most("compensated", walk, pair_off, "", why),
         // The comparison itself rounds the low part to a double.
         Check::at_most("two-float", low + UNIT * UNIT * n, off(whole.0, exact), "", why),
         Check::at_most("plain", MOST_SIGMA * UNIT * n * (n / 9.0).sqrt(), plain_off, "", why),
+        Check::at_least(
+            "plain over compensated",
+            10.0,
+            worse,
+            "times",
+            "or the case shows nothing",
+        ),
     ])
 }
 
@@ -191,7 +192,6 @@ fn equal_terms(terms: u64, progress: &CaseProgress) -> Outcome {
 
 /// The same in single precision: terms in [½, 1) of 24 random bits.
 fn random_singles(terms: u64, progress: &CaseProgress) -> Outcome {
-    const SINGLE: f64 = f32::EPSILON as f64 / 2.0;
     let (mut pair, mut whole) = (Pair::new(0.0_f32), TwoFloat(Pair::new(0.0_f32)));
     let (mut exact, mut state) = (0_u64, 2);
     for n in 0..terms {
@@ -205,11 +205,11 @@ fn random_singles(terms: u64, progress: &CaseProgress) -> Outcome {
     let off = |sum: Pair<f32>| (sum.widen() - exact as f64 / 16_777_216.0).abs();
     let n = terms as f64;
     // |d + lo| ≤ 1 + ½ulp(sum)
-    let rounded = 1.0 + SINGLE * n;
+    let rounded = 1.0 + SINGLE_UNIT * n;
     let why = "6 sigma of a walk of n roundings: of a term and the low part, of the low part";
     let walk = MOST_SIGMA * (n / 3.0).sqrt();
     Ok(vec![
-        Check::at_most("compensated", walk * SINGLE * rounded, off(pair), "", why),
-        Check::at_most("two-float", walk * SINGLE * SINGLE * n, off(whole.0), "", why),
+        Check::at_most("compensated", walk * SINGLE_UNIT * rounded, off(pair), "", why),
+        Check::at_most("two-float", walk * SINGLE_UNIT * SINGLE_UNIT * n, off(whole.0), "", why),
     ])
 }

@@ -1,8 +1,9 @@
 //! Bounds that follow from the arithmetic, the sampling and the Earth.
 //!
-//! Every one is a closed form with the number of roundings that it counts stated; none is fitted to
-//! what is measured.
+//! Every one but [`SCENE_M`] is a closed form with the number of roundings that it counts stated; none
+//! is fitted to what is measured.
 
+use crate::simulate::largest;
 use crate::source::Source;
 use crate::units::ARCSECOND;
 use schuler::earth::{
@@ -17,10 +18,9 @@ pub const UNIT: f64 = f64::EPSILON / 2.0;
 /// The same in single precision.
 pub const SINGLE_UNIT: f64 = f32::EPSILON as f64 / 2.0;
 
-/// What the built-in scenes hold in double precision, m, with truth and input from t = 0.
+/// What is demanded of the built-in scenes in double precision, m: a requirement, some ten roundings of
+/// the position.
 pub const SCENE_M: f64 = 1e-8;
-/// Why.
-pub const SCENE_WHY: &str = "what the built-in scenes hold in double precision";
 
 /// Roundings that a constant input goes through, each with its own sign, on its way into the state:
 /// the rates' rotation by three angles, their sum, the product with the interval; C from q, C u, γ.
@@ -103,7 +103,7 @@ impl Parabola {
             let speed = 19.0 / 720.0 * block_s * fourth;
             let x = kappa * (duration_s - time_s);
             parabola.position_m += place * x.cosh() + speed * x.sinh() / kappa;
-            parabola.rate = parabola.rate.max(place / block_s);
+            parabola.rate = largest(parabola.rate, place / block_s);
         }
         parabola
     }

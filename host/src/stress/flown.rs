@@ -5,7 +5,7 @@ use super::floor;
 use crate::flight::Instant;
 use crate::progress::CaseProgress;
 use crate::scene::{Scene, builtin, parse};
-use crate::simulate;
+use crate::simulate::{self, largest};
 use schuler::math::vector::Vector;
 
 /// The largest errors over every sample of a flight.
@@ -93,8 +93,8 @@ fn flown(
     let mut observe = |instant: &Instant| {
         let [north, east, _] = instant.drift.position_m;
         let [roll, pitch, _] = instant.drift.attitude_arcsec;
-        horizontal_m = horizontal_m.max(north.hypot(east));
-        tilt_arcsec = tilt_arcsec.max(roll.hypot(pitch));
+        horizontal_m = largest(horizontal_m, north.hypot(east));
+        tilt_arcsec = largest(tilt_arcsec, roll.hypot(pitch));
         see(instant);
         Ok(())
     };

@@ -6,7 +6,7 @@ use super::flown::{built_in, fly, scene};
 use super::time::{FOUR, GROUP, at_rest};
 use crate::progress::CaseProgress;
 use crate::scene::{Gap, Scene};
-use crate::simulate::{self, FlightError};
+use crate::simulate::{self, FlightError, largest};
 use crate::source::Source;
 use crate::units::{ARCSECOND, DEGREE};
 use schuler::earth::{EQUATORIAL_GRAVITY, ROTATION_RATE, SEMI_MAJOR_AXIS};
@@ -96,8 +96,8 @@ fn second_differences(source: &Source, samples: u64) -> (f64, f64) {
     // The paper's motion is slow: every hundredth sample meets its extremes to a thousandth.
     for n in (0..samples.saturating_sub(2)).step_by(100) {
         let [a, b, c]: [Increment<f64>; 3] = [n, n + 1, n + 2].map(increment);
-        most.0 = most.0.max(curved(a.angle_b, b.angle_b, c.angle_b));
-        most.1 = most.1.max(curved(a.velocity_b, b.velocity_b, c.velocity_b));
+        most.0 = largest(most.0, curved(a.angle_b, b.angle_b, c.angle_b));
+        most.1 = largest(most.1, curved(a.velocity_b, b.velocity_b, c.velocity_b));
     }
     most
 }

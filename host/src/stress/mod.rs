@@ -15,6 +15,7 @@
 //! | `stochastic` | a scalar that rounds at random |
 //! | `rounding` | how many digits that leaves trustworthy |
 //! | `aged` | states stored late, sums of many terms |
+//! | `split_mix` | random words |
 
 mod aged;
 pub mod case;
@@ -27,6 +28,7 @@ mod place;
 mod refused;
 pub mod residual;
 mod rounding;
+mod split_mix;
 pub mod stochastic;
 mod time;
 
@@ -58,10 +60,13 @@ pub fn stress(args: &StressArgs) -> Result<(), FlightError> {
             return Err(InputError::option("--case", Complaint::new(what, accepted)).into());
         }
     }
+    // What cannot be written is found before the long work, not after it.
+    let path = args.out.as_ref().map(|folder| folder.join("stress.csv"));
+    let file = path.map(OutputFile::create).transpose()?;
     let rows = run(&cases)?;
-    if let Some(folder) = &args.out {
-        let path = folder.join("stress.csv");
-        write(&path, &rows)?;
+    if let Some(file) = file {
+        let path = file.path().to_owned();
+        file.fill(csv(&rows))?;
         say(&format!("written to {}\n", path.display()))?;
     }
     let failed = rows.iter().filter(|row| !row.passes()).count();
@@ -143,25 +148,23 @@ fn line(row: &Row) -> String {
     }
 }
 
-fn write(path: &std::path::Path, rows: &[Row]) -> Result<(), InputError> {
-    let file = OutputFile::create(path)?;
-    let mut writer = csv::Writer::from_writer(file);
-    let fault = |error: csv::Error| {
-        let complaint = Complaint::new(format!("cannot be written: {error}"), "");
-        InputError::file(&path.display().to_string(), complaint)
-    };
-    let header = ["group", "case", "bound", "measured", "unit", "verdict"];
-    writer.write_record(header).map_err(fault)?;
+/// All rows as a CSV file. `why` is where a bound comes from, or why a case broke off.
+pub fn csv(rows: &[Row]) -> Vec<u8> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    // Records of one length, to memory: neither can fail.
+    let _ = writer.write_record(["group", "case", "bound", "measured", "unit", "verdict", "why"]);
     for row in rows {
-        let (bound, measured, unit) = match &row.check {
-            Ok(check) => (digits(check.bound.value()), digits(check.measured), check.unit),
-            Err(_) => Default::default(),
+        let (bound, measured, unit, why) = match &row.check {
+            Ok(Check { bound, measured, unit, why, .. }) => {
+                (digits(bound.value()), digits(*measured), *unit, *why)
+            }
+            Err(why) => (String::new(), String::new(), "", why.as_str()),
         };
-        let record = [row.group, &row.name(), &bound, &measured, unit, row.verdict()];
-        writer.write_record(record).map_err(fault)?;
+        let name = row.name();
+        let _ =
+            writer.write_record([row.group, &name, &bound, &measured, unit, row.verdict(), why]);
     }
-    let file = writer.into_inner().map_err(|error| fault(error.into_error().into()))?;
-    file.finish()
+    writer.into_inner().unwrap_or_default()
 }
 
 /// With the digits that bring back its bits.

@@ -18,7 +18,7 @@ use schuler::strapdown::plan;
 
 pub(super) const GROUP: &str = "numbers";
 /// The least positive number.
-const SUBNORMAL: f64 = 5e-324;
+pub(super) const SUBNORMAL: f64 = 5e-324;
 
 /// The group's cases.
 pub fn cases() -> Vec<Case> {

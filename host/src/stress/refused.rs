@@ -3,10 +3,11 @@
 use super::case::{Case, Check, Outcome};
 use super::floor;
 use super::flown::built_in;
-use super::numbers::{GROUP, TILTED, at, fly, navigator, start};
-use crate::navigator::{self, Unavailable};
+use super::numbers::{GROUP, SUBNORMAL, TILTED, at, fly, navigator, start};
+use crate::navigator::{self, TAYLOR, TWO_FLOAT, Unavailable};
 use crate::progress::CaseProgress;
 use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
+use crate::simulate::largest;
 use crate::source::Source;
 use crate::units::DEGREE;
 use schuler::drift::compare::drift;
@@ -15,10 +16,7 @@ use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::mechanization::{MOST_TURN, Rejected, StartError};
-use schuler::strapdown::window::NAMED;
-
-/// The least positive number.
-const SUBNORMAL: f64 = 5e-324;
+use schuler::strapdown::plan;
 
 /// Its cases.
 pub fn cases() -> Vec<Case> {
@@ -57,7 +55,7 @@ fn attitudes(frame: Frame) -> Outcome {
     let mut most: f64 = 0.0;
     for factor in [0.9995, 1.0005, -1.0] {
         let end = fly(frame, &scaled(factor), 1000, &samples)?;
-        most = most.max(drift(&end, &unit).position_ned.norm());
+        most = largest(most, drift(&end, &unit).position_ned.norm());
     }
     let why = "within a thousandth a start is brought to unit length, else refused";
     Ok(vec![
@@ -101,22 +99,20 @@ fn starts(frame: Frame) -> Outcome {
     Ok(vec![Check::never("not refused", wrong, "a typed error for every number of a start")])
 }
 
-/// Every navigator there is: algorithm, precision, frame and window.
+/// Every navigator there is: textbook and each window, in both frames and two precisions; windows with
+/// two-float products in one frame.
 fn every_navigator() -> Vec<(Navigator, WindowShape)> {
     let mut all = Vec::new();
     for &(_, frame) in Frame::NAMES {
-        for &(_, precision) in Precision::NAMES {
-            for &(_, algorithm) in Algorithm::NAMES {
-                for &shape in NAMED {
-                    let navigator = Navigator { frame, precision, algorithm, ..navigator(frame) };
-                    all.push((navigator, shape.into()));
-                    if algorithm == Algorithm::Textbook {
-                        break;
-                    }
-                }
-            }
+        for precision in [Precision::F64, Precision::F32] {
+            let navigator = Navigator { precision, ..navigator(frame) };
+            all.extend(TAYLOR.iter().map(|&shape| (navigator, shape.into())));
+            let textbook = Navigator { algorithm: Algorithm::Textbook, ..navigator };
+            all.push((textbook, plan::UNKNOWN.into()));
         }
     }
+    let two_float = Navigator { precision: Precision::F32x2, ..navigator(Frame::LocalLevel) };
+    all.extend(TWO_FLOAT.iter().map(|&shape| (two_float, shape.into())));
     all
 }
 
@@ -129,20 +125,14 @@ fn refused(progress: &CaseProgress) -> Outcome {
     let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
     let initial = source.motion(0).initial();
     let interval_s = Pair::new(scene.rate_hz).reciprocal();
-    let (mut wrong, mut moved, mut flown) = (0, 0, 0);
+    let (mut wrong, mut moved) = (0, 0);
     let all = every_navigator();
     for (n, (navigator, window)) in all.iter().enumerate() {
         progress.reach(n as u64, all.len() as u64);
         let start = || navigator::start(navigator, *window, 14, interval_s, &initial);
-        let mut disturbed = match start() {
-            Ok(flying) => flying,
-            // Two-float products are not to be had everywhere.
-            Err(Unavailable::TwoFloat | Unavailable::Window(_)) => continue,
-            Err(error) => return Err(error.to_string()),
-        };
+        let mut disturbed = start().map_err(|error| error.to_string())?;
         let mut undisturbed = start().map_err(|error| error.to_string())?;
         let (mut rows, mut undisturbed_rows) = (Vec::new(), Vec::new());
-        flown += 1;
         for n in 1..=scene.samples() {
             let good = source.perfect(source.time_s(n - 1), source.time_s(n));
             let x = IMPOSSIBLE[n as usize % IMPOSSIBLE.len()];
@@ -171,11 +161,7 @@ fn refused(progress: &CaseProgress) -> Outcome {
         moved += u64::from(!same);
     }
     let why = "what cannot be right is refused by its kind, and no bit of the state moves";
-    Ok(vec![
-        Check::at_least("navigators", 50.0, f64::from(flown), "", "every one that there is"),
-        Check::never("not refused", wrong, why),
-        Check::never("state moved", moved, why),
-    ])
+    Ok(vec![Check::never("not refused", wrong, why), Check::never("state moved", moved, why)])
 }
 
 /// 3600 °/s at 100 Hz are 2.5 rad in a block of four, which no series of a block's length is for.

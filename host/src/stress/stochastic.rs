@@ -9,6 +9,7 @@
 //! sin, cos, atan2, exp and ln have no exact error at hand: they move by an ulp either way, each with a
 //! probability of a quarter. Constants are what they are in the type itself.
 
+use super::split_mix;
 use schuler::math::real::{Real, Scalar};
 use schuler::math::twin::Both;
 use std::cell::Cell;
@@ -21,16 +22,15 @@ thread_local! {
 
 /// Starts a sequence of draws in this thread.
 pub fn seed(seed: u64) {
-    STATE.set(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5851_f42d_4c95_7f2d);
+    STATE.set(seed.wrapping_mul(split_mix::STEP) ^ 0x5851_f42d_4c95_7f2d);
 }
 
-/// Evenly in [0, 1): Steele, Lea and Flood's SplitMix64.
+/// Evenly in [0, 1).
 fn draw() -> f64 {
-    let state = STATE.get().wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let mut state = STATE.get();
+    let word = split_mix::word(&mut state);
     STATE.set(state);
-    let x = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    ((x ^ (x >> 31)) >> 11) as f64 * 2.0_f64.powi(-53)
+    (word >> 11) as f64 * 2.0_f64.powi(-53)
 }
 
 /// A format that can be rounded to at random.

@@ -6,6 +6,7 @@ use super::flown::{built_in, fly, watch};
 use super::link;
 use crate::progress::CaseProgress;
 use crate::scene::{Frame, Precision, Scene, Vertical, WindowShape};
+use crate::simulate::largest;
 use crate::source::Source;
 use crate::units::DEGREE;
 use schuler::earth::{EQUATORIAL_GRAVITY, SEMI_MAJOR_AXIS};
@@ -162,7 +163,7 @@ fn perfect_start(frame: Frame, progress: &CaseProgress) -> Outcome {
     watch(&scene, progress, &mut |instant| {
         let height = instant.drift.position_m[2].abs();
         if instant.time_s <= 1800.0 {
-            half_hour_m = half_hour_m.max(height);
+            half_hour_m = largest(half_hour_m, height);
         }
         if height >= FAR_M {
             far_s = far_s.min(instant.time_s);

@@ -114,3 +114,18 @@ fn a_run_that_cannot_go_on_ends_all() {
     assert!(said.contains("sample 1 at 0.05 s") && said.contains("turns a block"), "{said}");
     assert!(!folder.path().join("out/spin/ensemble.csv").exists());
 }
+
+#[test]
+fn an_ensemble_that_does_not_follow_theory_fails() {
+    let folder = tempfile::tempdir().unwrap();
+    // Theory leaves out that a sensor is at its limit, here by the Earth's rate alone.
+    let limited = "duration_s = 60\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\n\
+        [gyro]\nangle_random_walk_deg_sqrt_h = 0.1\nsaturation_deg_s = 0.001\n";
+    fs::write(folder.path().join("limited.toml"), limited).unwrap();
+    let done = ensemble(folder.path(), "limited.toml --runs 8");
+    let (text, said) = [&done.stdout, &done.stderr].map(|x| String::from_utf8_lossy(x)).into();
+    assert_eq!(done.status.code(), Some(1), "{said}");
+    assert!(text.contains("does not agree with theory") && text.contains("written to"), "{text}");
+    assert!(said.contains(" of 144 checks failed"), "{said}");
+    assert!(folder.path().join("out/limited/ensemble.csv").is_file());
+}

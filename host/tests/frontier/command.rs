@@ -66,6 +66,8 @@ fn bad_input_is_told_before_the_work_begins() {
     let folder = tempfile::tempdir().unwrap();
     let still = "duration_s = 1\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\n";
     fs::write(folder.path().join("short.toml"), still).unwrap();
+    fs::create_dir(folder.path().join("other")).unwrap();
+    fs::write(folder.path().join("other/short.toml"), still).unwrap();
     fs::write(folder.path().join("bad.toml"), "duration_s = 1\nrate_hz = 0\n").unwrap();
     fs::write(folder.path().join("long.toml"), still.replace("= 1\n", "= 1e8\n")).unwrap();
     fs::write(folder.path().join("taken"), "").unwrap();
@@ -76,6 +78,10 @@ fn bad_input_is_told_before_the_work_begins() {
         ("--scene short.toml --rate 1", ["--rate: 1 Hz leaves short", "a rate above 2"]),
         ("--scene long.toml --rate 100", ["--rate: with 100 Hz", "4294967295"]),
         ("--scene bad.toml", ["bad.toml:2:", "rate_hz"]),
+        (
+            "--scene short.toml --scene other/short.toml",
+            ["--scene: two scenes are called short", "different file names"],
+        ),
         ("--scene hard --out taken", ["taken", "cannot be written"]),
         ("hard", ["unexpected argument", "schuler frontier"]),
         ("--fast", ["--fast", "unexpected"]),

@@ -95,6 +95,6 @@ fn samples_that_are_given_up_are_bridged_alike_or_end_the_flight() {
 
     scene.navigator.gap = Gap::Error;
     let (flown, _) = fly(&scene, InProcess::<Single>::new(), &manner("drop=0.1", 1, 0));
-    let Err(FlightError::Lost { sample, time_s }) = flown else { panic!("{flown:?}") };
+    let Err(FlightError::Lost { sample, time_s, .. }) = flown else { panic!("{flown:?}") };
     assert_eq!(time_s, sample as f64 / 20.0);
 }

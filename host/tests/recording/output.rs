@@ -52,6 +52,46 @@ fn a_device_is_written_in_place() {
     assert!(!fs::metadata("/dev/null").expect("it is still there").is_file());
 }
 
+#[cfg(unix)]
+#[test]
+fn a_link_stays_and_its_target_is_written() {
+    use std::os::unix::fs::symlink;
+    let folder = scratch();
+    let at = |name: &str| folder.path().join(name);
+    fs::create_dir(at("elsewhere")).expect("the disk has room");
+    fs::write(at("elsewhere/old"), "old").expect("the disk has room");
+    symlink("elsewhere/old", at("link")).expect("links can be made");
+    symlink(at("link"), at("second")).expect("links can be made");
+    symlink("elsewhere/new", at("dangling")).expect("links can be made");
+    for (link, target) in [("second", "elsewhere/old"), ("dangling", "elsewhere/new")] {
+        write(at(link), link).expect("the disk has room");
+        assert_eq!(fs::read_to_string(at(target)).expect("it is there"), link);
+        assert!(fs::symlink_metadata(at(link)).expect("it is there").is_symlink(), "{link}");
+    }
+    symlink("b", at("a")).expect("links can be made");
+    symlink("a", at("b")).expect("links can be made");
+    let error = write(at("a"), "").expect_err("it leads nowhere").to_string();
+    assert!(error.contains("cannot be written"), "{error}");
+    symlink("/dev/null", at("device")).expect("links can be made");
+    write(at("device"), "text").expect("it takes everything");
+    assert!(fs::symlink_metadata(at("device")).expect("it is there").is_symlink());
+}
+
+#[test]
+fn folders_made_for_a_file_that_is_not_finished_go_again() {
+    let folder = scratch();
+    let path = folder.path().join("a/b/c.txt");
+    let first = OutputFile::create(&path).expect("folders can be made");
+    let second = OutputFile::create(folder.path().join("a/d.txt")).expect("folders can be made");
+    drop(first);
+    assert!(folder.path().join("a").is_dir(), "the second is to go there");
+    second.fill("text").expect("the disk has room");
+    assert!(!folder.path().join("a/b").exists());
+    assert!(folder.path().join("a/d.txt").is_file());
+    drop(OutputFile::create(folder.path().join("e/f/g.txt")).expect("folders can be made"));
+    assert!(!folder.path().join("e").exists());
+}
+
 #[test]
 fn a_folder_in_its_place_is_an_error() {
     let folder = scratch();

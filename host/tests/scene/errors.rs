@@ -15,7 +15,7 @@ fn expect(text: &str, line: u64, key: &str, words: &[&str]) {
 }
 
 /// The same of what follows the two needed lines.
-fn expect_more(more: &str, line: u64, key: &str, words: &[&str]) {
+pub fn expect_more(more: &str, line: u64, key: &str, words: &[&str]) {
     expect(&format!("duration_s = 10\nrate_hz = 20\n{more}"), line, key, words);
 }
 
@@ -219,6 +219,24 @@ fn motion_out_of_range() {
     );
     let many = format!("{{ harmonics = [{}] }}", "{ amplitude = 1e-9, period_s = 9 },".repeat(65));
     expect_more(&channel("roll_deg", &many), 3, "trajectory", &["65 harmonics", "at most 64"]);
+}
+
+#[test]
+fn angles_out_of_range() {
+    let degrees = "-1e6 to 1e6";
+    for channel in ["roll_deg", "pitch_deg", "yaw_deg", "latitude_deg", "longitude_deg"] {
+        let key = format!("trajectory.{channel}");
+        let text = format!("[trajectory]\n{channel} = 1.1e6\n");
+        expect_more(&text, 4, &key, &["1100000 is out of range", degrees, "{ offset"]);
+        let text = format!("[trajectory.{channel}]\noffset = -1e300\n");
+        expect_more(&text, 4, &format!("{key}.offset"), &["out of range", degrees]);
+        let text =
+            format!("[[trajectory.{channel}.harmonics]]\namplitude = 1e12\nperiod_s = 1e12\n");
+        expect_more(&text, 4, &format!("{key}.harmonics[0].amplitude"), &[degrees]);
+    }
+    let phase =
+        "[[trajectory.altitude_m.harmonics]]\namplitude = 1\nperiod_s = 9\nphase_deg = 1e9\n";
+    expect_more(phase, 6, "trajectory.altitude_m.harmonics[0].phase_deg", &[degrees]);
 }
 
 #[test]

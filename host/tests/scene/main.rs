@@ -4,6 +4,8 @@
 
 mod builtin;
 mod errors;
+mod navigators;
+mod sampling;
 mod units;
 
 use schuler_host::input::InputError;

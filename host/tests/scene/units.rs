@@ -139,13 +139,13 @@ fn initial_error_in_north_east_down() {
 #[test]
 fn navigator_and_link() {
     let text = "title = \"T\"\nseed = 7\n[navigator]\nframe = \"earth-fixed\"\nprecision = \"f32\"\n\
-        algorithm = \"textbook\"\nwindow = { history = 2, block = 4, lookahead = 2 }\n\
+        algorithm = \"taylor\"\nwindow = { history = 2, block = 4, lookahead = 2 }\n\
         vertical = \"held\"\ngap = \"bridge\"\n[link]\nloss = 0.25\njitter_s = 1e-4\n";
     let scene = scene(text).expect("valid");
     let navigator = Navigator {
         frame: Frame::EarthFixed,
         precision: Precision::F32,
-        algorithm: Algorithm::Textbook,
+        algorithm: Algorithm::Taylor,
         window: Some(WindowShape { history: 2, block: 4, lookahead: 2 }),
         vertical: Vertical::Held,
         gap: Gap::Bridge,
@@ -153,6 +153,7 @@ fn navigator_and_link() {
     assert_eq!(scene.navigator, navigator);
     assert_eq!(scene.link, Link { loss: 0.25, jitter_s: 1e-4 });
     assert_eq!((scene.title.as_str(), scene.seed), ("T", 7));
-    let auto = super::scene("[navigator]\nwindow = \"auto\"\n").expect("valid");
-    assert_eq!(auto.navigator.window, None);
+    let auto = "[navigator]\nalgorithm = \"textbook\"\nwindow = \"auto\"\n";
+    let navigator = super::scene(auto).expect("valid").navigator;
+    assert_eq!((navigator.algorithm, navigator.window), (Algorithm::Textbook, None));
 }

@@ -108,7 +108,12 @@ fn twins<R: Scalar + std::fmt::Debug>() {
     // Each of the six in its turn, over its own bound and none of the others'.
     let bounds: [R; 6] = std::array::from_fn(|i| R::count(i as u32 + 1));
     let pairs = |x: [R; 6]| [0, 2, 4].map(|i| R::Twin::new(x[i], x[i + 1]));
-    let within = |x| R::Twin::all_within(pairs(x), pairs(bounds));
+    let plain = |x: [R; 6]| [0, 2, 4].map(|i| Both(x[i], x[i + 1]));
+    let within = |x| {
+        let within = R::Twin::all_within(pairs(x), pairs(bounds));
+        assert_eq!(within, Both::all_within(plain(x), plain(bounds)), "{x:?}");
+        within
+    };
     assert!(within(bounds) && within(bounds.map(|x| -x)) && within([-R::ZERO; 6]));
     for i in 0..6 {
         let over = bounds[i] + R::HALF;

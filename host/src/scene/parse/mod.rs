@@ -10,6 +10,7 @@ use super::{
 use crate::flight::Nine;
 use crate::input::document::{Document, Section, Value};
 use crate::input::{Complaint, InputError, Range};
+use crate::navigator;
 use crate::units::ARCSECOND;
 use std::path::Path;
 
@@ -47,10 +48,12 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
         gyro: sensors::gyro(&root)?,
         accelerometer: sensors::accelerometer(&root)?,
         initial_error: initial_error(&root)?,
-        navigator: navigator(&root)?,
+        navigator: navigation(&root)?,
         link: link(&root)?,
     };
     limits::check(&scene).map_err(|(key, complaint)| document.error(key, complaint))?;
+    navigator::check(&scene.navigator)
+        .map_err(|unavailable| document.error(unavailable.key(), unavailable.complaint()))?;
     Ok(scene)
 }
 
@@ -72,7 +75,7 @@ fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
     })
 }
 
-fn navigator(root: &Section<'_>) -> Result<Navigator, InputError> {
+fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {
     let default = Navigator::default();
     let Some(section) = root.section("navigator", NAVIGATOR)? else { return Ok(default) };
     fn choice<T: Copy>(

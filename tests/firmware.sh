@@ -33,13 +33,10 @@ while read -r triple board; do
     (cd tests/firmware &&
         build_package "$triple" "$board,semihosting" --no-default-features --quiet "${bins[@]}") ||
         status=$?
-    if [ "$status" = 3 ] && [ -z "${CI:-}" ]; then
-        echo "skipped: no compiler for $triple (rustup target add $triple)"
-        exit 0
-    fi
     if [ "$status" != 0 ]; then
-        echo "the firmware does not build for $triple"
-        exit 1
+        target=$triple
+        skip_without_compiler "$status"
+        exit 0
     fi
 done <<<"$builds"
 

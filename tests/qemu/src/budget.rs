@@ -41,7 +41,7 @@ pub const MEASURES: &[Measure] = &[
     measure("f32 worst block over mean, random samples", Source::Budget("f32, worst block over mean"), Some(1.05)),
     measure("f32 code of a step with all of core and libm, series order fixed at 3, bytes", Source::Step, Some(10240.0)),
     measure("the same, series order known at run time, bytes", Source::PlannedStep, None),
-    measure("f32 code and constants of the first with start-up and libraries, a whole image with start-up and libraries, bytes", Source::Image, None),
+    measure("f32 code and constants of the first as a whole image with start-up and libraries, bytes", Source::Image, None),
     measure("f32 `.data` and `.bss` of that image, bytes", Source::Statics, Some(0.0)),
     measure("f32 state, bytes", Source::Budget("f32, state, bytes"), Some(512.0)),
     measure("f32 stack, bytes", Source::Budget("f32, stack, bytes"), Some(1024.0)),

@@ -26,16 +26,31 @@ images=$(realpath -m "${CARGO_TARGET_DIR:-tests/firmware/target}")
 cargo build --release --locked --quiet
 builds=$(runner builds)
 while read -r triple board; do
-    bins=(--bin selftest --bin budget --bin single --bin navigator-f32)
+    bins=(--bin selftest --bin budget --bin single --bin single-planned --bin navigator-f32)
     # The image that `schuler hil` looks for: every mechanization, f64 in software among them.
     if [ "$board $triple" = "mps2 thumbv7em-none-eabihf" ]; then bins+=(--bin navigator); fi
-    (
-        cd tests/firmware
-        build_package "$triple" "$board,semihosting" --no-default-features --quiet "${bins[@]}"
-    ) || {
-        if [ -n "${CI:-}" ]; then exit 1; fi
-        echo "skipped: no compiler for $triple (rustup target add $triple)"
+    status=0
+    (cd tests/firmware &&
+        build_package "$triple" "$board,semihosting" --no-default-features --quiet "${bins[@]}") ||
+        status=$?
+    if [ "$status" != 0 ]; then
+        target=$triple
+        skip_without_compiler "$status"
         exit 0
-    }
+    fi
 done <<<"$builds"
+
+# The images for a board behind a debug probe fly nowhere here: they are looked at.
+lint() {
+    (cd tests/firmware &&
+        cargo clippy --release --locked --quiet --target thumbv7em-none-eabihf \
+            --no-default-features --features "$1" "${@:2}" -- -D warnings)
+}
+if rustc --print target-libdir --target thumbv7em-none-eabihf 2>/dev/null | xargs -r test -d &&
+    cargo clippy --version >/dev/null 2>&1; then
+    lint mps2,semihosting --bins
+    lint mps2,rtt,dwt --bin selftest --bin budget
+else
+    echo "skipped: clippy over the firmware (rustup target add thumbv7em-none-eabihf)"
+fi
 runner check "$@" "$images" "$host/release/schuler" tests/firmware/BUDGET.md

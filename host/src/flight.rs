@@ -135,6 +135,8 @@ pub struct LinkReport {
     pub broken_at_target: u64,
     /// The same at the host.
     pub broken_at_host: u64,
+    /// Whole frames that no target of this version sends.
+    pub not_understood: u64,
     /// Faults put in, by kind.
     pub faults: Vec<FaultCount>,
     /// What was noticed.
@@ -149,6 +151,9 @@ pub struct LinkReport {
     pub bridged: u64,
     /// How often a request was sent until it was answered, at most.
     pub worst_round_trips: u32,
+    /// The window that was planned, where the target does not have it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub planned_window: Option<WindowShape>,
 }
 
 /// A finished run.
@@ -174,7 +179,7 @@ pub struct Flight {
     pub first_minute: Vec<Instant>,
     /// Samples in which a sensor was at its limit.
     pub saturated: u64,
-    /// Samples lost on the link.
+    /// Samples lost on the way to the navigator, and filled in.
     pub lost: u64,
     /// What happened on the link to a target; absent when there was none.
     pub link: Option<LinkReport>,

@@ -12,12 +12,13 @@ const MAPS: [(&str, &str); 4] = [
 ];
 
 /// What is done with defmt's table in each image.
-const SCRIPTS: [(&str, &str); 5] = [
+const SCRIPTS: [(&str, &str); 6] = [
     ("selftest", "defmt.x"),
     ("budget", "defmt.x"),
     ("navigator", "quiet.x"),
     ("navigator-f32", "quiet.x"),
     ("single", "quiet.x"),
+    ("single-planned", "quiet.x"),
 ];
 
 fn main() {

@@ -70,6 +70,11 @@ impl Decoder {
     pub fn dropped(&self) -> Dropped {
         self.dropped
     }
+
+    /// Counts what it drops from 0 on.
+    pub fn forget_dropped(&mut self) {
+        self.dropped = Dropped::default();
+    }
 }
 
 fn frame(stuffed: &mut [u8]) -> Result<Frame<'_>, Fault> {

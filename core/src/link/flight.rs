@@ -22,7 +22,6 @@ pub const MOST_BRIDGED: u32 = 31;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flight<M: Linked> {
     mechanization: M,
-    initial: Solution<M::Real>,
     state: M::State,
     digest: Digest,
     bridge: Bridge<M::Real>,
@@ -65,7 +64,7 @@ impl<M: Linked> Flight<M> {
     pub fn new(mechanization: M, initial: Solution<M::Real>, gap: Policy) -> Result<Self, Refusal> {
         let state = mechanization.start(&initial)?;
         let (digest, bridge) = (Digest::default(), Bridge::new(gap));
-        Ok(Self { mechanization, initial, state, digest, bridge, taken: 0, came: 0, finished: 0 })
+        Ok(Self { mechanization, state, digest, bridge, taken: 0, came: 0, finished: 0 })
     }
 
     /// Takes the sample of a number, from 1; `push` is [`Mechanization::push`] or one that reads rows.
@@ -108,6 +107,9 @@ impl<M: Linked> Flight<M> {
     ) -> Result<Taken, Refusal> {
         if self.finished != 0 {
             return Ok(Taken::Again);
+        }
+        if samples < self.taken {
+            return Err(Refusal::Count);
         }
         let missing = self.missing_before(samples.saturating_add(1))?;
         let before = (self.state, self.digest, self.bridge);
@@ -158,21 +160,6 @@ impl<M: Linked> Flight<M> {
     /// Sets height (m) and vertical velocity (down, m/s).
     pub fn hold(&mut self, altitude: M::Real, down: M::Real) -> Result<(), Refusal> {
         Ok(self.mechanization.hold_vertical(&mut self.state, altitude, down)?)
-    }
-
-    /// The mechanization.
-    pub fn mechanization(&self) -> &M {
-        &self.mechanization
-    }
-
-    /// The solution that it started from.
-    pub fn initial(&self) -> &Solution<M::Real> {
-        &self.initial
-    }
-
-    /// Its state.
-    pub fn state(&self) -> &M::State {
-        &self.state
     }
 
     /// Number of the last sample taken, or filled in.

@@ -13,7 +13,6 @@
 
 use super::message::Kind;
 use crate::math::real::Scalar;
-use crate::sample::Increment;
 use cobs::CobsEncoder;
 use crc::{CRC_32_ISO_HDLC, Crc, Digest, Table};
 
@@ -116,21 +115,9 @@ impl Writer<'_> {
         self.bytes(&x.to_le_bytes());
     }
 
-    /// A scalar's bits in as many bytes as it has.
-    pub fn scalar<R: Scalar>(&mut self, x: R) {
-        self.bits::<R>(x.to_bits());
-    }
-
     /// Bits of a scalar in as many bytes as it has.
     pub fn bits<R: Scalar>(&mut self, bits: u64) {
         if size_of::<R>() == 4 { self.u32(bits as u32) } else { self.u64(bits) }
-    }
-
-    /// Six scalars.
-    pub fn increment<R: Scalar>(&mut self, increment: &Increment<R>) {
-        for vector in [increment.angle_b, increment.velocity_b] {
-            vector.into_array().into_iter().for_each(|x| self.scalar(x));
-        }
     }
 }
 

@@ -212,7 +212,7 @@ pub struct Answer<'a> {
     pub answers: u32,
     /// How often it was switched on before, or another number that differs every time.
     pub boot: u32,
-    /// What it has noticed of the host's frames since then.
+    /// What it has noticed of the host's frames since then, or since the host has greeted it.
     pub counters: Counters,
     /// The answer.
     pub body: Body<'a>,

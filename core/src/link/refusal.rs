@@ -1,5 +1,6 @@
 //! Why a target does not do what it is asked to.
 
+use super::flight::MOST_BRIDGED;
 use super::gap::Missing;
 use crate::strapdown::mechanization::{Rejected, StartError};
 use core::fmt::{self, Display, Formatter};
@@ -14,46 +15,62 @@ pub enum Refusal {
     Configuration,
     /// The payload is not what its kind needs.
     Malformed,
-    /// Samples before this one never came, and are not bridged, or are too many.
+    /// Samples before this one never came, and are not bridged, or are more than [`MOST_BRIDGED`].
     Gap,
     /// The stream has been finished.
     Finished,
+    /// The stream that is to be finished has had more samples than it is said to have.
+    Count,
     /// Navigation cannot start.
     Start(StartError),
     /// The navigator does not take the sample.
     Rejected(Rejected),
 }
 
-impl Refusal {
-    /// Every one, in the order of their codes on the line.
-    pub const ALL: [Self; 16] = [
-        Self::NotStarted,
-        Self::Configuration,
-        Self::Malformed,
-        Self::Gap,
-        Self::Finished,
-        Self::Start(StartError::Interval),
-        Self::Start(StartError::Limits),
-        Self::Start(StartError::Position),
-        Self::Start(StartError::Velocity),
-        Self::Start(StartError::Attitude),
-        Self::Start(StartError::Pole),
-        Self::Rejected(Rejected::Angle),
-        Self::Rejected(Rejected::Velocity),
-        Self::Rejected(Rejected::Pole),
-        Self::Rejected(Rejected::Place),
-        Self::Rejected(Rejected::Held),
-    ];
+/// Codes both ways; a reason without one does not compile.
+macro_rules! codes {
+    ($($refusal:ident $(($cause:ident $reason:ident))? = $code:literal,)+) => {
+        impl Refusal {
+            /// Every one.
+            pub const ALL: &[Self] = &[$(Self::$refusal $(($cause::$reason))?,)+];
 
-    /// As it crosses the line.
-    pub fn code(self) -> u8 {
-        Self::ALL.iter().position(|&refusal| refusal == self).unwrap_or(Self::ALL.len()) as u8
-    }
+            /// As it crosses the line.
+            pub fn code(self) -> u8 {
+                match self {
+                    $(Self::$refusal $(($cause::$reason))? => $code,)+
+                }
+            }
 
-    /// Back from [`Refusal::code`].
-    pub fn of(code: u8) -> Option<Self> {
-        Self::ALL.get(usize::from(code)).copied()
-    }
+            /// Back from [`Refusal::code`].
+            pub fn of(code: u8) -> Option<Self> {
+                match code {
+                    $($code => Some(Self::$refusal $(($cause::$reason))?),)+
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+codes! {
+    NotStarted = 0,
+    Configuration = 1,
+    Malformed = 2,
+    Gap = 3,
+    Finished = 4,
+    Start(StartError Interval) = 5,
+    Start(StartError Limits) = 6,
+    Start(StartError Position) = 7,
+    Start(StartError Velocity) = 8,
+    Start(StartError Attitude) = 9,
+    Start(StartError Pole) = 10,
+    Rejected(Rejected Angle) = 11,
+    Rejected(Rejected Velocity) = 12,
+    Rejected(Rejected Pole) = 13,
+    Rejected(Rejected Place) = 14,
+    Rejected(Rejected Held) = 15,
+    Start(StartError FlushToZero) = 16,
+    Count = 17,
 }
 
 impl Display for Refusal {
@@ -62,8 +79,13 @@ impl Display for Refusal {
             Self::NotStarted => f.write_str("navigation has not been started"),
             Self::Configuration => f.write_str("there is no such mechanization on the target"),
             Self::Malformed => f.write_str("the message is not understood"),
-            Self::Gap => f.write_str("samples are missing before this one, and are not bridged"),
+            Self::Gap => write!(
+                f,
+                "samples are missing before this one: gaps are not bridged, or it is one of over \
+                 {MOST_BRIDGED} samples"
+            ),
             Self::Finished => f.write_str("the stream has been finished"),
+            Self::Count => f.write_str("the stream has had more samples than it is to end after"),
             Self::Start(error) => error.fmt(f),
             Self::Rejected(error) => error.fmt(f),
         }
@@ -87,5 +109,19 @@ impl From<StartError> for Refusal {
 impl From<Rejected> for Refusal {
     fn from(error: Rejected) -> Self {
         Self::Rejected(error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_reason_comes_back_from_the_line() {
+        for &refusal in Refusal::ALL {
+            assert_eq!(Refusal::of(refusal.code()), Some(refusal));
+        }
+        let known = (0..=u8::MAX).filter(|&code| Refusal::of(code).is_some()).count();
+        assert_eq!(known, Refusal::ALL.len());
     }
 }

@@ -1,8 +1,8 @@
 //! The target's application: bytes in, bytes out; the same on a board, in an emulator and on a host.
 //!
-//! A frame that is not whole changes nothing but a counter. Every frame that is whole is answered once: a
+//! A frame that is not whole changes nothing but a counter. Every whole frame of a host is answered once: a
 //! new one by what it asks for, one that came again or too late by where the navigator stands, which
-//! it does not move.
+//! it does not move. What only targets say is not answered.
 
 use super::configuration::Configuration;
 use super::counters::Counters;
@@ -66,14 +66,13 @@ impl<F: Fleet> Target<F> {
             *self = Self::new(self.application.boot.wrapping_add(1));
             return self.hello(send);
         }
+        let is_greeting = frame.header.kind == Kind::Greet;
         let Some(reply) = self.application.serve(&frame) else { return };
+        if is_greeting {
+            self.decoder.forget_dropped();
+        }
         self.application.counters.dropped = self.decoder.dropped();
         self.application.send(number, reply, send);
-    }
-
-    /// What it has noticed of the host's frames.
-    pub fn counters(&self) -> Counters {
-        self.application.counters()
     }
 
     /// What it flies.
@@ -100,15 +99,17 @@ impl<F: Fleet> Application<F> {
         Counters { bridged, ..self.counters }
     }
 
-    /// Does what a frame asks; none answers what no host says.
+    /// Does what a frame asks; what no host says is not answered.
     fn serve(&mut self, frame: &Frame) -> Option<Reply> {
         let Header { kind, sequence, time_ns } = frame.header;
         if matches!(kind, Kind::Hello | Kind::Solution | Kind::Restoring | Kind::Refused) {
             return None;
         }
         if kind == Kind::Greet {
-            // A host that has just come counts its frames from the beginning.
+            // A host that has just come counts its frames from the beginning, and what befell others'
+            // is none of its business.
             self.received = Sequence::after(sequence);
+            self.counters = Counters::default();
             return Some(Reply::Hello);
         }
         let reply = match self.received.arrive(sequence, &mut self.counters) {
@@ -125,7 +126,7 @@ impl<F: Fleet> Application<F> {
         match request {
             Request::Greet | Request::Reset => return Ok(Reply::Hello),
             Request::Start(start) => {
-                self.flight = None;
+                // Refused, it leaves what is flown as it was.
                 self.flight = Some(F::start(start)?);
                 self.restored = None;
                 self.time_ns = 0;

@@ -69,9 +69,7 @@ fn name(configuration: &Configuration) -> String {
         Axes::EarthFixed => Frame::EarthFixed,
     };
     let algorithm = match window(configuration) {
-        Some(WindowShape { history, block, lookahead }) => {
-            format!("{} {history},{block},{lookahead}", Algorithm::Taylor.name())
-        }
+        Some(window) => format!("{} {window}", Algorithm::Taylor.name()),
         None => Algorithm::Textbook.name().to_owned(),
     };
     format!("{} {algorithm} {}", precision.name(), frame.name())

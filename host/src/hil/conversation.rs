@@ -1,23 +1,24 @@
 //! Requests and their answers: sent again when no answer comes, and told apart when too many do.
 
 use super::channel::{Broken, Channel};
+use super::reply::Reply;
 use super::tally::Tally;
-use schuler::link::configuration::Configuration;
+use super::wait::{PATIENCE, Wait};
 use schuler::link::counters::Counters;
 use schuler::link::decoder::Decoder;
 use schuler::link::frame::{Header, MOST_ENCODED, TooLong, encode};
-use schuler::link::message::{Answer, Body, Request};
+use schuler::link::message::{Answer, Request};
 use schuler::link::refusal::Refusal;
 use schuler::link::sequence::{Arrival, Sequence};
 use std::collections::VecDeque;
 use std::ops::RangeInclusive;
 use std::time::Duration;
 
-/// How long an answer is waited for: far longer than any takes.
-pub const PATIENCE: Duration = Duration::from_secs(5);
-
 /// How often what a flight cannot do without is sent again, at least.
 const INSISTING: u32 = 10;
+
+/// How often somebody is greeted who may not be there.
+const GREETINGS: u32 = 2;
 
 /// What came of a request.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,45 +31,14 @@ pub enum Outcome {
     Rebooted,
 }
 
-/// An answer, free from the bytes that it came in.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Reply {
-    /// Who is there.
-    Hello {
-        /// Its version of the protocol.
-        version: u8,
-        /// What it can fly.
-        offers: Vec<Configuration>,
-    },
-    /// Where it stands.
-    Standing(Standing),
-    /// How many words of a stored state it has.
-    Restoring(u16),
-    /// It does not do what was asked, at a sample.
-    Refused(Refusal, u32),
-}
-
-/// Where a navigator stands: [`schuler::link::message::Standing`] with its own bytes.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Standing {
-    /// Number of the last sample.
-    pub taken: u32,
-    /// Of the last 32 a bit each: whether it came.
-    pub came: u32,
-    /// Samples behind the solution.
-    pub integrated: u64,
-    /// Digest of every state so far.
-    pub digest: u64,
-    /// The solution's scalars.
-    pub solution: Vec<u8>,
-}
-
 /// The host's end of a link.
 pub struct Conversation {
     channel: Box<dyn Channel>,
     decoder: Decoder,
     inbox: VecDeque<u8>,
     retries: u32,
+    /// How long an answer is waited for.
+    patience: Duration,
     /// Sequence number of the last frame sent.
     sent: u32,
     received: Sequence,
@@ -100,6 +70,7 @@ impl Conversation {
             decoder: Decoder::default(),
             inbox: VecDeque::new(),
             retries,
+            patience: PATIENCE,
             sent: 0,
             received: Sequence::default(),
             boots: Vec::new(),
@@ -107,6 +78,11 @@ impl Conversation {
             given_up: Vec::new(),
             tally: Tally::default(),
         }
+    }
+
+    /// With another patience than the usual one.
+    pub fn patient(self, patience: Duration) -> Self {
+        Self { patience, ..self }
     }
 
     /// Puts something between this end and the channel.
@@ -131,7 +107,12 @@ impl Conversation {
 
     /// Asks who is there, of somebody who may not be.
     pub fn greet(&mut self) -> Result<Outcome, Broken> {
-        self.ask_again(&Request::Greet, 0, 1)
+        self.ask_again(&Request::Greet, 0, GREETINGS - 1)
+    }
+
+    /// How long a greeting is waited for.
+    pub fn greeting_lasts(&self) -> Duration {
+        self.patience * GREETINGS
     }
 
     /// Asks what a flight cannot do without.
@@ -154,7 +135,8 @@ impl Conversation {
         for attempt in 0..=retries {
             self.send(request, time_ns)?;
             self.tally.resent += u64::from(attempt > 0);
-            while let Some(heard) = self.hear()? {
+            let mut wait = Wait::new(self.patience);
+            while let Some(heard) = self.hear(&mut wait)? {
                 let is_answer = (first..=self.sent).contains(&heard.answers);
                 if heard.is_new_boot {
                     return Ok(Outcome::Rebooted);
@@ -171,7 +153,6 @@ impl Conversation {
                 }
                 self.note(&heard);
             }
-            self.tally.timeouts += 1;
         }
         self.given_up.push(first..=self.sent);
         Ok(Outcome::Silence)
@@ -191,18 +172,18 @@ impl Conversation {
         self.channel.send(frame.map_err(|too_long: TooLong| Broken(too_long.to_string()))?)
     }
 
-    /// The next answer that comes, whatever it answers; none within the patience that there is.
-    fn hear(&mut self) -> Result<Option<Heard>, Broken> {
+    /// The next answer that comes, whatever it answers; none within the wait.
+    fn hear(&mut self, wait: &mut Wait) -> Result<Option<Heard>, Broken> {
         loop {
             while let Some(byte) = self.inbox.pop_front() {
                 let Some(frame) = self.decoder.take(byte) else { continue };
-                let sequence = frame.header.sequence;
+                let Header { sequence, time_ns, .. } = frame.header;
                 let Some(answer) = Answer::read(&frame) else {
                     self.tally.not_understood += 1;
                     continue;
                 };
                 let (answers, boot, counters) = (answer.answers, answer.boot, answer.counters);
-                let reply = Reply::of(answer.body);
+                let reply = Reply::of(answer.body, time_ns);
                 self.tally.received += 1;
                 let is_new_boot = self.meet(boot);
                 let is_present = self.boots.last() == Some(&boot);
@@ -215,8 +196,9 @@ impl Conversation {
                 let heard = Heard { answers, is_new, is_of_late, is_new_boot, sequence, reply };
                 return Ok(Some(heard));
             }
+            let Some(patience) = wait.left() else { return Ok(None) };
             let mut bytes = Vec::new();
-            self.channel.receive(&mut bytes, PATIENCE)?;
+            self.channel.receive(&mut bytes, patience)?;
             if bytes.is_empty() {
                 return Ok(None);
             }
@@ -250,32 +232,11 @@ impl Conversation {
             return;
         }
         let given_up = self.given_up.iter().position(|frames| frames.contains(&heard.answers));
-        match given_up {
-            Some(place) if !heard.is_of_late => {
-                self.given_up.swap_remove(place);
-                self.tally.overdue += 1;
-            }
-            _ => self.tally.surplus += 1,
-        }
-    }
-}
-
-impl Reply {
-    fn of(body: Body) -> Self {
-        match body {
-            Body::Hello { version, mut offers } => {
-                let offers = std::iter::from_fn(|| Some(Configuration::of_bytes(offers.array()?)));
-                Self::Hello { version, offers: offers.flatten().collect() }
-            }
-            Body::Solution(standing) => Self::Standing(Standing {
-                taken: standing.taken,
-                came: standing.came,
-                integrated: standing.integrated,
-                digest: standing.digest,
-                solution: standing.solution.0.to_vec(),
-            }),
-            Body::Restoring { words } => Self::Restoring(words),
-            Body::Refused { refusal, taken } => Self::Refused(refusal, taken),
+        if let Some(place) = given_up
+            && !heard.is_of_late
+        {
+            self.given_up.swap_remove(place);
+            self.tally.overdue += 1;
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The first field in which a target's answer is not its twin's.
 
-use super::conversation::Standing;
+use super::reply::Standing;
 use schuler::link::configuration::{Axes, Configuration};
 use schuler::strapdown::plan::Digits;
 use std::fmt;
@@ -116,6 +116,7 @@ pub fn first(
     };
     count("samples taken", target.taken.into(), twin.taken.into(), Value::Count)
         .or_else(|| count("which samples came", target.came.into(), twin.came.into(), Value::Bits))
+        .or_else(|| count("end of a sample, ns", target.time_ns, twin.time_ns, Value::Count))
         .or_else(|| count("samples integrated", target.integrated, twin.integrated, Value::Count))
         .or_else(solution)
         .or_else(|| count("digest of every state", target.digest, twin.digest, Value::Bits))

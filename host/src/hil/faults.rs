@@ -61,6 +61,7 @@ impl Rates {
     /// As `--faults` gives them: `drop=0.01,flip=0.002`, or `all=0.01` for every kind's equal share.
     pub fn parse(text: &str) -> Result<Self, Complaint> {
         let mut rates = Self::default();
+        let mut named: Vec<&str> = Vec::new();
         for item in text.split(',') {
             let wrong = |what: String| Complaint::new(what, Self::accepted());
             let (name, rate) =
@@ -69,6 +70,11 @@ impl Rates {
             let range = Range::from_to(0.0, 1.0, "a rate from 0 to 1");
             let rate = rate.parse().map_err(|_| wrong(format!("{rate} is not a number")))?;
             let rate = range.check(rate)?;
+            if named.contains(&name) || !named.is_empty() && (name == "all" || named[0] == "all") {
+                let what = format!("{name}={rate} comes after {}", named.join(", "));
+                return Err(Complaint::new(what, "each name once, all by itself"));
+            }
+            named.push(name);
             if name == "all" {
                 rates.0 = [rate / Fault::ALL.len() as f64; Fault::ALL.len()];
             } else {
@@ -142,6 +148,9 @@ mod tests {
             ("melt=0.1", "melt is no fault; accepted: NAME=RATE"),
             ("drop=x", "x is not a number"),
             ("drop=1.5", "1.5 is out of range; accepted: a rate from 0 to 1"),
+            ("drop=0.5,all=0.1", "all=0.1 comes after drop; accepted: each name once"),
+            ("all=0.1,drop=0.5", "drop=0.5 comes after all; accepted: each name once"),
+            ("drop=0.5,drop=0.5", "drop=0.5 comes after drop; accepted: each name once"),
             ("drop=0.6,flip=0.6", "the rates add up to 1.2"),
         ] {
             let complaint = Rates::parse(text).unwrap_err().to_string();

@@ -7,7 +7,9 @@
 //! that it has noticed is known.
 
 use super::channel::{Broken, Channel};
+use super::cutter::Cutter;
 use super::faults::{Fault, Injected, Rates};
+use super::wait::Wait;
 use schuler::link::decoder::Decoder;
 use schuler::link::frame::{Header, MOST_ENCODED, encode};
 use schuler::link::message::{Answer, Kind, Request};
@@ -229,6 +231,7 @@ impl<C: Channel> Channel for Injector<C> {
 
     fn receive(&mut self, into: &mut Vec<u8>, patience: Duration) -> Result<(), Broken> {
         // One at a time: what comes is looked at when it is asked for, not when it happens to come.
+        let mut wait = Wait::new(patience);
         while self.ready.is_empty() && self.due > 0 {
             if let Some(byte) = self.unread.pop_front() {
                 if let Some(frame) = self.from_target.take(byte) {
@@ -237,6 +240,7 @@ impl<C: Channel> Channel for Injector<C> {
                 }
                 continue;
             }
+            let Some(patience) = wait.left() else { break };
             let mut bytes = Vec::new();
             self.channel.receive(&mut bytes, patience)?;
             if bytes.is_empty() {
@@ -272,28 +276,4 @@ fn reset() -> Vec<u8> {
     let header = Header { kind: Kind::Reset, sequence: 0, time_ns: 0 };
     let mut buffer = [0; MOST_ENCODED];
     encode(&header, &mut buffer, |to| Request::Reset.write(to)).map_or(Vec::new(), <[u8]>::to_vec)
-}
-
-/// Cuts a stream of bytes into frames with the zero bytes about them.
-#[derive(Default)]
-struct Cutter {
-    frame: Vec<u8>,
-}
-
-impl Cutter {
-    fn take(&mut self, byte: u8) -> Option<Vec<u8>> {
-        if byte != 0 {
-            self.frame.push(byte);
-            return None;
-        }
-        let is_end = self.frame.len() > 1;
-        if self.frame.is_empty() {
-            self.frame.push(0);
-        }
-        if !is_end {
-            return None;
-        }
-        self.frame.push(0);
-        Some(std::mem::take(&mut self.frame))
-    }
 }

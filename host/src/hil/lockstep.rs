@@ -1,18 +1,22 @@
 //! Target and twin in step: one sample out, one answer back, and every bit compared.
 
-use super::conversation::{Conversation, Outcome, Reply, Standing};
+mod start;
+
+use super::conversation::{Conversation, Outcome};
 use super::difference::{self, Difference};
 use super::pace::Pace;
 use super::parted::{MOST_REBOOTS, Parted};
+use super::reply::{Reply, Standing};
 use super::tally::Tally;
 use super::twin::{Beginning, Twin};
 use crate::input::Complaint;
 use crate::navigator::{Navigate, Reader};
+use crate::scene::WindowShape;
 use crate::simulate::{Refused, Vehicle};
 use schuler::link::bytes::Bytes;
 use schuler::link::flight::MOST_BRIDGED;
 use schuler::link::gap::Policy;
-use schuler::link::message::{MOST_WORDS, Request};
+use schuler::link::message::Request;
 use schuler::link::refusal::Refusal;
 use schuler::sample::Increment;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -24,6 +28,8 @@ pub struct Ended {
     pub tally: Tally,
     /// How long each sample's answer took, s.
     pub latencies_s: Vec<f64>,
+    /// The window that was planned, where the target does not have it.
+    pub planned_window: Option<WindowShape>,
 }
 
 /// Where it is left.
@@ -55,6 +61,8 @@ pub struct Lockstep {
     rate_hz: f64,
     /// Samples so far.
     samples: u32,
+    /// The newest of them that both sides have flown.
+    reached: u32,
     /// Samples that were given up, while it is not known which of them the target has.
     open: Vec<(u32, Vec<u8>)>,
     pace: Option<Pace>,
@@ -72,6 +80,7 @@ impl Lockstep {
             navigator,
             rate_hz,
             samples: 0,
+            reached: 0,
             open: Vec::new(),
             pace,
             log,
@@ -81,22 +90,10 @@ impl Lockstep {
         Ok(lockstep)
     }
 
-    /// Starts the target.
-    fn begin(&mut self) -> Result<Reply, Parted> {
-        for _ in 0..MOST_REBOOTS {
-            match self.conversation.insist(&Request::Start(self.beginning.start()), 0)? {
-                Outcome::Answered(reply) => return Ok(reply),
-                Outcome::Silence => return Err(Parted::Silence("its start")),
-                Outcome::Rebooted => {}
-            }
-        }
-        Err(Parted::Reboots)
-    }
-
     /// Asks, and puts a target that was switched off and on back to where its twin stands.
     fn ask(&mut self, request: &Request) -> Result<Option<Reply>, Parted> {
         for _ in 0..MOST_REBOOTS {
-            let time_ns = self.time_ns();
+            let time_ns = self.time_ns(self.samples);
             let outcome = match request {
                 Request::Sample { .. } => self.conversation.ask(request, time_ns)?,
                 _ => self.conversation.insist(request, time_ns)?,
@@ -110,37 +107,9 @@ impl Lockstep {
         Err(Parted::Reboots)
     }
 
-    /// Starts a target that has forgotten everything from its twin's state.
-    fn restore(&mut self) -> Result<(), Parted> {
-        let words = self.twin.words();
-        let all = (words.len() / 8) as u16;
-        'again: for _ in 0..MOST_REBOOTS {
-            match self.conversation.insist(&Request::Start(self.beginning.start()), 0)? {
-                Outcome::Answered(Reply::Standing(_)) => {}
-                Outcome::Answered(_) => return Err(Parted::Answer("its start")),
-                Outcome::Silence => return Err(Parted::Silence("its start")),
-                Outcome::Rebooted => continue,
-            }
-            for (n, piece) in words.chunks(8 * MOST_WORDS).enumerate() {
-                let offset = (n * MOST_WORDS) as u16;
-                let request = Request::Restore { words: all, offset, piece: Bytes(piece) };
-                match self.conversation.insist(&request, self.time_ns())? {
-                    Outcome::Answered(Reply::Restoring(_)) => {}
-                    Outcome::Answered(Reply::Standing(standing)) => {
-                        return self.compare(&standing);
-                    }
-                    Outcome::Answered(_) => return Err(Parted::Answer("its state")),
-                    Outcome::Silence => return Err(Parted::Silence("its state")),
-                    Outcome::Rebooted => continue 'again,
-                }
-            }
-        }
-        Err(Parted::Reboots)
-    }
-
-    /// End of the newest sample, ns.
-    fn time_ns(&self) -> u64 {
-        (f64::from(self.samples) / self.rate_hz * 1e9).round() as u64
+    /// End of a sample, ns.
+    fn time_ns(&self, number: u32) -> u64 {
+        (f64::from(number) / self.rate_hz * 1e9).round() as u64
     }
 
     /// The twin flies those of the open samples that the target has.
@@ -148,10 +117,17 @@ impl Lockstep {
         for (number, increment) in std::mem::take(&mut self.open) {
             let age = standing.taken.wrapping_sub(number);
             if standing.came.checked_shr(age).is_some_and(|came| came & 1 == 1) {
-                let taken = self.twin.take(number, &increment, read);
-                taken.map_err(|twin| Parted::Refusal { target: None, twin: Some(twin) })?;
+                self.take(number, &increment, read)?;
             }
         }
+        Ok(())
+    }
+
+    /// The twin takes what the target has taken.
+    fn take(&mut self, number: u32, increment: &[u8], read: &mut Reader) -> Result<(), Parted> {
+        let taken = self.twin.take(number, increment, read);
+        taken.map_err(|twin| Parted::Refusal { target: None, twin: Some(twin) })?;
+        self.reached = number;
         Ok(())
     }
 
@@ -164,7 +140,7 @@ impl Lockstep {
     }
 
     fn compare(&mut self, standing: &Standing) -> Result<(), Parted> {
-        let twin = self.twin.standing();
+        let twin = Standing { time_ns: self.time_ns(self.reached), ..self.twin.standing() };
         match difference::first(&self.beginning.configuration, standing, &twin) {
             None => Ok(()),
             Some((field, target, twin)) => Err(Parted::Difference(Difference {
@@ -192,16 +168,11 @@ impl Lockstep {
         match reply {
             Some(Reply::Standing(standing)) => {
                 self.settle(&standing, read)?;
-                let taken = self.twin.take(number, &increment, read);
-                taken.map_err(|twin| Parted::Refusal { target: None, twin: Some(twin) })?;
+                self.take(number, &increment, read)?;
                 self.compare(&standing).map(Ok)
             }
             Some(Reply::Refused(target, _)) => {
-                let twin = self.twin.take(number, &increment, read).err();
-                match target {
-                    Refusal::Rejected(why) if twin == Some(target) => Ok(Err(why.into())),
-                    _ => Err(Parted::Refusal { target: Some(target), twin }),
-                }
+                refused(Some(target), self.twin.take(number, &increment, read).err())
             }
             Some(_) => Err(Parted::Answer("a sample")),
             None => {
@@ -218,7 +189,7 @@ impl Lockstep {
         }
     }
 
-    fn end(&mut self, read: &mut Reader) -> Result<(), Parted> {
+    fn end(&mut self, read: &mut Reader) -> Result<Result<(), Refused>, Parted> {
         let request = Request::Finish { samples: self.samples };
         let reply = self.ask(&request)?.ok_or(Parted::Silence("the end of the stream"))?;
         if let Reply::Standing(standing) = &reply {
@@ -226,7 +197,7 @@ impl Lockstep {
         }
         let twin = self.twin.finish(self.samples, read).err();
         if twin.is_some() {
-            return Err(Parted::Refusal { target: None, twin });
+            return refused(reply.refusal(), twin);
         }
         self.agree(reply)?;
         // What was put in shows only in the frames that follow it.
@@ -236,15 +207,18 @@ impl Lockstep {
                 self.agree(reply)?;
             }
         }
-        Ok(())
+        Ok(Ok(()))
     }
 
-    fn hold(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Parted> {
+    fn hold(&mut self, altitude_m: f64, down_m_s: f64) -> Result<Result<(), Refused>, Parted> {
         let vertical = self.twin.vertical(altitude_m, down_m_s);
-        let reply = self.ask(&Request::Hold(Bytes(&vertical)))?;
-        let held = self.twin.hold(&vertical);
-        held.map_err(|twin| Parted::Refusal { target: None, twin: Some(twin) })?;
-        self.agree(reply.ok_or(Parted::Silence("a held height"))?)
+        let request = Request::Hold(Bytes(&vertical));
+        let reply = self.ask(&request)?.ok_or(Parted::Silence("a held height"))?;
+        let twin = self.twin.hold(&vertical).err();
+        if twin.is_some() {
+            return refused(reply.refusal(), twin);
+        }
+        self.agree(reply).map(Ok)
     }
 
     fn ended(&self, change: impl FnOnce(&mut Ended)) {
@@ -263,6 +237,14 @@ impl Lockstep {
     }
 }
 
+/// What it means that one side refuses: both for the same reason, and what is refused cannot be flown.
+fn refused(target: Option<Refusal>, twin: Option<Refusal>) -> Result<Result<(), Refused>, Parted> {
+    match target {
+        Some(Refusal::Rejected(why)) if twin == target => Ok(Err(why.into())),
+        _ => Err(Parted::Refusal { target, twin }),
+    }
+}
+
 impl Drop for Lockstep {
     fn drop(&mut self) {
         let mut tally = self.conversation.tally();
@@ -277,11 +259,11 @@ impl Vehicle for Lockstep {
     }
 
     fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Refused> {
-        self.hold(altitude_m, down_m_s).map_err(|parted| self.stop(&parted))
+        self.hold(altitude_m, down_m_s).map_err(|parted| self.stop(&parted))?
     }
 
     fn finish(&mut self, read: &mut Reader) -> Result<(), Refused> {
-        self.end(read).map_err(|parted| self.stop(&parted))
+        self.end(read).map_err(|parted| self.stop(&parted))?
     }
 
     fn integrated(&self) -> u64 {

@@ -7,6 +7,7 @@ pub mod channel;
 pub mod child;
 pub mod choice;
 pub mod conversation;
+pub mod cutter;
 pub mod device;
 pub mod difference;
 pub mod faults;
@@ -15,9 +16,11 @@ pub mod injector;
 pub mod lockstep;
 pub mod pace;
 pub mod parted;
+pub mod reply;
 pub mod serve;
 pub mod tally;
 pub mod twin;
+pub mod wait;
 pub mod wire;
 
 use crate::cli::HilArgs;
@@ -32,11 +35,12 @@ use crate::scene::Scene;
 use crate::simulate::{FlightError, Simulation, Vehicle};
 use crate::source::Source;
 use channel::Channel;
-use conversation::{Conversation, Outcome, Reply};
+use conversation::{Conversation, Outcome};
 use faults::Rates;
 use injector::Injector;
 use lockstep::{Ended, Lockstep, Log, Parts};
 use pace::Pace;
+use reply::Reply;
 use schuler::link::configuration::Configuration;
 use schuler::link::message::VERSION;
 use schuler::math::compensated::Pair;
@@ -64,16 +68,18 @@ pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
     let channel = args.device.open(&args.image)?;
+    let met = meet(channel, args.retries, &args.device.to_string())?;
     let progress = Progress::new(scene.samples());
     let mut drift = DriftCsv::create(&directory.join("drift.csv"))?;
     let log = Log::default();
     let flown =
-        fly(&scene, channel, &args.manner(), &log, &mut |instant| drift.row(instant), &|sample| {
+        fly(&scene, met, &args.manner(), &log, &mut |instant| drift.row(instant), &|sample| {
             progress.reach(sample)
         });
     progress.finish();
-    let Ended { tally, latencies_s } = log.lock().unwrap_or_else(PoisonError::into_inner).clone();
-    let link = tally.report(args.device.to_string());
+    let ended = log.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    let Ended { tally, latencies_s, planned_window } = ended;
+    let link = LinkReport { planned_window, ..tally.report(args.device.to_string()) };
     let mut flight = match flown {
         Ok(flight) => flight,
         Err(error) => {
@@ -96,6 +102,11 @@ pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
 
 fn text(flight: &Flight, latencies_s: &[f64], directory: &str) -> String {
     let mut text = report::table(flight);
+    if let Some(planned) = flight.link.as_ref().and_then(|link| link.planned_window)
+        && let Some(flown) = flight.window
+    {
+        text += &format!("\nThe target has no window {planned}: flown with {flown}.\n");
+    }
     if let Some(link) = &flight.link {
         text += &link_table::text(link);
     }
@@ -119,22 +130,32 @@ fn check(flight: &Flight) -> Result<(), FlightError> {
     if failed == 0 { Ok(()) } else { Err(FlightError::Failed { failed, checks }) }
 }
 
-/// Flies a scene in step with the target at the end of a channel; what happened on it is left in the
-/// log, whatever the outcome.
+/// A target that has answered.
+pub struct Met {
+    conversation: Conversation,
+    /// What it can fly.
+    offers: Vec<Configuration>,
+}
+
+/// Flies a scene in step with a target; what happened on the link is left in the log, whatever the
+/// outcome.
 pub fn fly(
     scene: &Scene,
-    channel: Box<dyn Channel>,
+    met: Met,
     manner: &Manner,
     log: &Log,
     observe: &mut dyn FnMut(&crate::flight::Instant) -> Result<(), InputError>,
     progress: &dyn Fn(u64),
 ) -> Result<Flight, FlightError> {
-    let mut conversation = Conversation::new(channel, manner.retries);
-    let offers = greet(&mut conversation)?;
+    let Met { mut conversation, offers } = met;
     let planned = Plan::new(scene, &Source::new(scene, false)?, false).window;
     let configuration = choice::choose(&scene.navigator, planned, &offers)?;
     let mut scene = scene.clone();
-    scene.navigator.window = choice::window(&configuration);
+    let flown = choice::window(&configuration);
+    if scene.navigator.window.is_none() && flown.is_some_and(|flown| flown != planned) {
+        log.lock().unwrap_or_else(PoisonError::into_inner).planned_window = Some(planned);
+    }
+    scene.navigator.window = flown;
     if let Some((rates, seed)) = manner.faults {
         conversation = conversation.wrap(|channel| Box::new(Injector::new(channel, rates, seed)));
     }
@@ -143,7 +164,10 @@ pub fn fly(
         let lockstep = Lockstep::start(parts, log.clone()).map_err(stopped)?;
         Ok::<Box<dyn Vehicle>, FlightError>(Box::new(lockstep))
     })?;
-    simulation.fly(observe, progress)
+    let mut flight = simulation.fly(observe, progress)?;
+    // What the target has filled in is no more the scene's than what the scene itself has lost.
+    flight.lost += log.lock().unwrap_or_else(PoisonError::into_inner).tally.bridged;
+    Ok(flight)
 }
 
 fn parts(
@@ -167,20 +191,26 @@ fn parts(
     Ok(Parts { conversation, beginning, twin, navigator, rate_hz, pace })
 }
 
-/// What the target can fly.
-fn greet(conversation: &mut Conversation) -> Result<Vec<Configuration>, FlightError> {
+/// Greets the target at the end of a channel; `device` is what users call it.
+pub fn meet(channel: Box<dyn Channel>, retries: u32, device: &str) -> Result<Met, FlightError> {
+    let mut conversation = Conversation::new(channel, retries);
     for _ in 0..GREETINGS {
         match conversation.greet().map_err(stopped)? {
-            Outcome::Answered(Reply::Hello { version: VERSION, offers }) => return Ok(offers),
+            Outcome::Answered(Reply::Hello { version: VERSION, offers }) => {
+                return Ok(Met { conversation, offers });
+            }
             Outcome::Answered(Reply::Hello { version, .. }) => {
-                let what = format!("speaks version {version} of the protocol");
+                let what = format!("{device} speaks version {version} of the protocol");
                 return Err(stopped(Complaint::new(what, format!("version {VERSION}"))));
             }
             Outcome::Answered(_) | Outcome::Silence => break,
             Outcome::Rebooted => {}
         }
     }
-    Err(stopped(Complaint::new("no target answers", "")))
+    let seconds = conversation.greeting_lasts().as_secs();
+    let what = format!("{device} did not answer in {seconds} s");
+    let accepted = "a device that runs tests/firmware's navigator, a serial port at its bit rate";
+    Err(stopped(Complaint::new(what, accepted)))
 }
 
 fn stopped(what: impl Into<Complaint>) -> FlightError {

@@ -14,12 +14,8 @@ pub struct Tally {
     pub resent: u64,
     /// Whole frames received from the target.
     pub received: u64,
-    /// Times that no answer came.
-    pub timeouts: u64,
     /// Answers to requests that had been sent again, or given up, since.
     pub overdue: u64,
-    /// Answers to requests that had been answered.
-    pub surplus: u64,
     /// Whole frames that no target of this version sends.
     pub not_understood: u64,
     /// Times that the target was found to have forgotten everything.
@@ -108,6 +104,7 @@ impl Tally {
             frames_received: self.received,
             broken_at_target: self.target.dropped.total().into(),
             broken_at_host: self.host.dropped.total().into(),
+            not_understood: self.not_understood,
             faults: self.injected.map(|_| Fault::ALL.map(fault).to_vec()).unwrap_or_default(),
             traces: self.traces(),
             resent: self.resent,
@@ -115,6 +112,7 @@ impl Tally {
             lost: self.lost,
             bridged: self.bridged,
             worst_round_trips: self.worst_round_trips,
+            planned_window: None,
         }
     }
 }

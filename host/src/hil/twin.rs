@@ -1,6 +1,6 @@
 //! The host's twin of the target: the same code, fed with the same bytes.
 
-use super::conversation::Standing;
+use super::reply::Standing;
 use crate::navigator::{self, Reader};
 use schuler::link::bytes::Bytes;
 use schuler::link::configuration::{Configuration, Linked};
@@ -194,6 +194,8 @@ impl Visitor for Stand {
     type Result = Standing;
     fn visit<M: Linked>(self, flight: &mut Flight<M>) -> Standing {
         Standing {
+            // When a sample ends, the host's clock says.
+            time_ns: 0,
             taken: flight.taken(),
             came: flight.came(),
             integrated: flight.integrated(),

@@ -39,13 +39,14 @@ pub fn traces(link: &LinkReport) -> Vec<Vec<String>> {
 /// The rest, in one sentence.
 pub fn sentence(link: &LinkReport) -> String {
     format!(
-        "{}: {} frames out, {} back; {} broken at the target, {} at the host; {} sent again, {} recovered, \
+        "{}: {} frames out, {} back; {} broken at the target, {} at the host; {} not understood; {} sent again, {} recovered, \
          {} samples lost, {} bridged; at worst {} round trips to an answer.",
         link.device,
         link.frames_sent,
         link.frames_received,
         link.broken_at_target,
         link.broken_at_host,
+        link.not_understood,
         link.resent,
         link.recovered,
         link.lost,

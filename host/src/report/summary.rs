@@ -4,6 +4,7 @@ use super::{Nine, norm};
 use crate::flight::{Flight, LinkReport};
 use crate::input::InputError;
 use crate::output;
+use crate::scene::WindowShape;
 use serde::Serialize;
 use std::path::Path;
 
@@ -17,7 +18,7 @@ struct Summary<'a> {
     precision: &'static str,
     frame: &'static str,
     algorithm: &'static str,
-    window: Option<Window>,
+    window: Option<WindowShape>,
     skipped: Vec<Skipped<'a>>,
     saturated: u64,
     lost: u64,
@@ -27,13 +28,6 @@ struct Summary<'a> {
     time: Option<Time>,
     #[serde(skip_serializing_if = "Option::is_none")]
     link: Option<&'a LinkReport>,
-}
-
-#[derive(Serialize)]
-struct Window {
-    history: usize,
-    block: usize,
-    lookahead: usize,
 }
 
 #[derive(Serialize)]
@@ -98,11 +92,7 @@ impl<'a> Summary<'a> {
             precision: scene.navigator.precision.name(),
             frame: scene.navigator.frame.name(),
             algorithm: scene.navigator.algorithm.name(),
-            window: flight.window.map(|window| Window {
-                history: window.history,
-                block: window.block,
-                lookahead: window.lookahead,
-            }),
+            window: flight.window,
             skipped: flight
                 .skipped
                 .iter()

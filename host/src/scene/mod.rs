@@ -11,6 +11,8 @@ use crate::input::document::{Document, did_you_mean};
 use crate::input::{Complaint, InputError, read_text};
 use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
+use serde::Serialize;
+use std::fmt;
 use std::path::Path;
 
 /// Everything that one run needs to know.
@@ -207,7 +209,7 @@ pub enum Algorithm {
 }
 
 /// A window's samples: history, block, look-ahead.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct WindowShape {
     /// Samples before the block.
     pub history: usize,
@@ -215,6 +217,12 @@ pub struct WindowShape {
     pub block: usize,
     /// Samples after the block.
     pub lookahead: usize,
+}
+
+impl fmt::Display for WindowShape {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{},{},{}", self.history, self.block, self.lookahead)
+    }
 }
 
 /// The vertical channel.

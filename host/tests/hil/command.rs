@@ -76,6 +76,19 @@ fn in_real_time_latency_is_measured() {
 }
 
 #[test]
+fn a_window_that_the_target_lacks_is_replaced_aloud() {
+    let folder = tempfile::tempdir().unwrap();
+    let hil = schuler("hil coning --duration 1 --no-report", folder.path());
+    let text = String::from_utf8_lossy(&hil.stdout);
+    assert!(hil.status.success(), "{hil:?}");
+    assert!(text.contains("The target has no window 4,4,4: flown with 2,4,2.\n"), "{text}");
+    let summary = summary(folder.path());
+    let shape = |side| serde_json::json!({ "history": side, "block": 4, "lookahead": side });
+    assert_eq!(summary["window"], shape(2));
+    assert_eq!(summary["link"]["planned_window"], shape(4));
+}
+
+#[test]
 fn what_is_not_to_be_had_is_named() {
     let folder = tempfile::tempdir().unwrap();
     for (line, code, part) in [

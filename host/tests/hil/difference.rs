@@ -1,13 +1,19 @@
 //! A target that is one bit off is found out: which sample, which field, which values.
 
 use crate::{fly, scene};
+use schuler::link::configuration::{Axes, Configuration, Method};
 use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Every;
 use schuler::link::frame::{MOST_ENCODED, encode};
 use schuler::link::message::Kind;
+use schuler::record::Record;
+use schuler::solution::{EarthFixedSolution, Solution};
+use schuler::strapdown::plan::Digits;
 use schuler_host::hil::Manner;
 use schuler_host::hil::channel::{Broken, Channel};
+use schuler_host::hil::difference::first;
 use schuler_host::hil::in_process::InProcess;
+use schuler_host::hil::reply::Standing;
 use schuler_host::scene::Precision;
 use schuler_host::simulate::FlightError;
 use std::time::Duration;
@@ -20,8 +26,8 @@ struct Tampered {
     channel: InProcess<Every>,
     decoder: Decoder,
     solutions: u32,
-    /// In which solution, and which bit of its payload.
-    at: (u32, usize),
+    /// In which solution, and which bit of its payload; none: of the frame's time.
+    at: (u32, Option<usize>),
 }
 
 impl Channel for Tampered {
@@ -34,14 +40,17 @@ impl Channel for Tampered {
         self.channel.receive(&mut bytes, patience)?;
         for byte in bytes {
             let Some(frame) = self.decoder.take(byte) else { continue };
-            let mut payload = frame.payload.to_vec();
+            let (mut header, mut payload) = (frame.header, frame.payload.to_vec());
             self.solutions += u32::from(frame.header.kind == Kind::Solution);
             let (solution, bit) = self.at;
             if frame.header.kind == Kind::Solution && self.solutions == solution {
-                payload[bit / 8] ^= 1 << (bit % 8);
+                match bit {
+                    Some(bit) => payload[bit / 8] ^= 1 << (bit % 8),
+                    None => header.time_ns ^= 1,
+                }
             }
             let mut buffer = [0; MOST_ENCODED];
-            let encoded = encode(&frame.header, &mut buffer, |to| to.bytes(&payload));
+            let encoded = encode(&header, &mut buffer, |to| to.bytes(&payload));
             into.extend_from_slice(encoded.unwrap());
         }
         Ok(())
@@ -49,7 +58,7 @@ impl Channel for Tampered {
 }
 
 /// What ends a flight with a target whose payload has a wrong bit after so many samples.
-fn found(precision: Precision, sample: u32, byte: usize) -> String {
+fn found(precision: Precision, sample: u32, byte: Option<usize>) -> String {
     let mut scene = scene("paper", 5.0);
     scene.navigator.precision = precision;
     let channel = Tampered {
@@ -57,7 +66,7 @@ fn found(precision: Precision, sample: u32, byte: usize) -> String {
         decoder: Decoder::default(),
         solutions: 0,
         // The first solution is that of the start.
-        at: (sample + 1, 8 * byte),
+        at: (sample + 1, byte.map(|byte| 8 * byte)),
     };
     let (flown, _) = fly(&scene, channel, &Manner::default());
     let Err(error @ FlightError::Stopped(_)) = flown else { panic!("{flown:?}") };
@@ -66,7 +75,7 @@ fn found(precision: Precision, sample: u32, byte: usize) -> String {
 
 #[test]
 fn one_bit_is_named_with_its_sample_field_and_both_values() {
-    let text = found(Precision::F64, 7, BEFORE_SOLUTION);
+    let text = found(Precision::F64, 7, Some(BEFORE_SOLUTION));
     let begin = "--device: sample 7 at 0.35 s: latitude, rad: the target has 8.7";
     assert!(text.starts_with(begin), "{text}");
     // The last bit of the first double, in hex and in decimal.
@@ -85,19 +94,73 @@ fn one_bit_is_named_with_its_sample_field_and_both_values() {
 }
 
 #[test]
-fn every_field_has_its_name() {
-    let scalar = |n: usize| BEFORE_SOLUTION + 4 * n;
+fn what_is_no_scalar_has_its_name_too() {
     for (byte, name) in [
-        (BEFORE_SOLUTION - 24, "samples taken"),
-        (BEFORE_SOLUTION - 16, "samples integrated"),
-        (BEFORE_SOLUTION - 8, "digest of every state"),
-        (scalar(1), "latitude, rad (what rounding dropped)"),
-        (scalar(4), "altitude, m"),
-        (scalar(10), "velocity down, m/s"),
-        (scalar(18), "attitude z"),
+        (None, "end of a sample, ns"),
+        (Some(BEFORE_SOLUTION - 24), "samples taken"),
+        (Some(BEFORE_SOLUTION - 20), "which samples came"),
+        (Some(BEFORE_SOLUTION - 16), "samples integrated"),
+        (Some(BEFORE_SOLUTION - 8), "digest of every state"),
     ] {
         let text = found(Precision::F32, 30, byte);
         let begin = format!("--device: sample 30 at 1.5 s: {name}: the target has ");
         assert!(text.starts_with(&begin), "{text}");
+    }
+}
+
+/// What a difference in a solution is called: one field changed in one of two.
+fn named<S: Record + Clone>(axes: Axes, zero: &S, change: impl FnOnce(&mut S)) -> String {
+    let configuration =
+        Configuration { digits: Digits::Double, axes, method: Method::Textbook, window: [0, 1, 0] };
+    let standing = |mut solution: S| {
+        let mut bytes = Vec::new();
+        solution.record("", &mut |_, bits| {
+            bytes.extend(bits.to_le_bytes());
+            bits
+        });
+        Standing { solution: bytes, ..Standing::default() }
+    };
+    let mut other = zero.clone();
+    change(&mut other);
+    let (name, ..) =
+        first(&configuration, &standing(other), &standing(zero.clone())).expect("a difference");
+    name
+}
+
+#[test]
+fn every_scalar_has_the_name_of_its_field() {
+    macro_rules! check {
+        ($axes:ident $zero:expr; $($($field:ident).+ = $name:literal;)+) => {$(
+            let (zero, axes) = ($zero, Axes::$axes);
+            assert_eq!(named(axes, &zero, |s| s.$($field).+.hi = 1.0), $name);
+            let low = concat!($name, " (what rounding dropped)");
+            assert_eq!(named(axes, &zero, |s| s.$($field).+.lo = 1.0), low);
+        )+};
+    }
+    check! {
+        LocalLevel Solution::<f64>::default();
+        position.latitude = "latitude, rad";
+        position.longitude = "longitude, rad";
+        position.altitude = "altitude, m";
+        velocity_ned.x = "velocity north, m/s";
+        velocity_ned.y = "velocity east, m/s";
+        velocity_ned.z = "velocity down, m/s";
+        attitude.w = "attitude w";
+        attitude.v.x = "attitude x";
+        attitude.v.y = "attitude y";
+        attitude.v.z = "attitude z";
+    }
+    check! {
+        EarthFixed EarthFixedSolution::<f64>::default();
+        position_e.x = "position x, m";
+        position_e.y = "position y, m";
+        position_e.z = "position z, m";
+        velocity_e.x = "velocity x, m/s";
+        velocity_e.y = "velocity y, m/s";
+        velocity_e.z = "velocity z, m/s";
+        attitude.w = "attitude w";
+        attitude.v.x = "attitude x";
+        attitude.v.y = "attitude y";
+        attitude.v.z = "attitude z";
     }
 }

@@ -5,6 +5,7 @@ mod command;
 mod devices;
 mod difference;
 mod million;
+mod sessions;
 
 use schuler_host::flight::Flight;
 use schuler_host::hil::channel::Channel;
@@ -33,7 +34,8 @@ fn fly(
     manner: &Manner,
 ) -> (Result<Flight, FlightError>, Ended) {
     let log = Log::default();
-    let flown = hil::fly(scene, Box::new(channel), manner, &log, &mut |_| Ok(()), &|_| ());
+    let flown = hil::meet(Box::new(channel), manner.retries, "target")
+        .and_then(|met| hil::fly(scene, met, manner, &log, &mut |_| Ok(()), &|_| ()));
     let ended = log.lock().unwrap().clone();
     (flown, ended)
 }

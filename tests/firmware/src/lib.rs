@@ -7,3 +7,4 @@ pub mod board;
 pub mod fault;
 pub mod navigation;
 pub mod paper;
+pub mod single;

@@ -8,9 +8,7 @@ use schuler::sensor::gauss_markov::{GaussMarkov, GaussMarkovState};
 use schuler::sensor::parameter::ParameterError;
 use schuler::sensor::white::White;
 use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing};
-use schuler::trajectory::harmonic::{
-    Channel, Channels, Harmonic, HarmonicTrajectory, CourseError,
-};
+use schuler::trajectory::harmonic::{Channel, Channels, CourseError, Harmonic, HarmonicTrajectory};
 
 /// Samples per second.
 pub const RATE_HZ: f64 = 20.0;

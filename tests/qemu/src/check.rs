@@ -126,9 +126,9 @@ fn examine(
     if !measured.passed {
         faults.push(format!("the image `budget` failed: {:?}", measured.values));
     }
-    let single = read("single")?;
+    let (single, planned) = (read("single")?, read("single-planned")?);
     let navigator = read("navigator-f32")?;
-    for image in [&single, &navigator] {
+    for image in [&single, &planned, &navigator] {
         faults.extend(forbidden(image, machine)?);
     }
     for image in [&selftest, &navigator] {
@@ -138,7 +138,12 @@ fn examine(
     if let Some(said) = hil::fly(machine, &navigator, &places.schuler)? {
         faults.push(format!("schuler hil: {said}"));
     }
-    let column = column(&single, &measured, &flown)?;
+    if *machine == MACHINES[0] {
+        let every = read("navigator")?;
+        faults.extend(panics(&every)?);
+        faults.extend(hil::emulated(&every, &places.schuler)?);
+    }
+    let column = column(&[&single, &planned], &measured, &flown)?;
     // The budgets are those of the reference board's target.
     if machine.target == MACHINES[0].target {
         for (measure, value) in MEASURES.iter().zip(&column.1) {
@@ -160,14 +165,18 @@ fn can_pass_with_a_broken_bound(machine: &Machine, selftest: &Image) -> Result<b
     Ok(qemu::fly(machine, &broken, &mut |_| ())?.passed)
 }
 
+/// Symbols by which an image could panic.
+fn panics(image: &Image) -> Result<Vec<String>, String> {
+    let name = image.name();
+    let symbols = image.symbols()?.into_iter().filter(|symbol| image::can_panic(symbol));
+    Ok(symbols.map(|symbol| format!("{name} can panic: {symbol}")).collect())
+}
+
 /// Symbols that may not be in an image that navigates in f32.
 fn forbidden(image: &Image, machine: &Machine) -> Result<Vec<String>, String> {
-    let name = image.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let mut found = Vec::new();
+    let name = image.name();
+    let mut found = panics(image)?;
     for symbol in image.symbols()? {
-        if image::can_panic(&symbol) {
-            found.push(format!("{name} can panic: {symbol}"));
-        }
         if machine.target == MACHINES[0].target && image::is_soft_double(&symbol) {
             found.push(format!("{name} computes in f64: {symbol}"));
         }
@@ -176,13 +185,18 @@ fn forbidden(image: &Image, machine: &Machine) -> Result<Vec<String>, String> {
 }
 
 /// A machine's numbers, as written and as measured.
-fn column(single: &Image, measured: &Flight, flown: &Flight) -> Result<(Column, Vec<f64>), String> {
+fn column(
+    [single, planned]: &[&Image; 2],
+    measured: &Flight,
+    flown: &Flight,
+) -> Result<(Column, Vec<f64>), String> {
     let mut values = Vec::new();
     for measure in MEASURES {
         values.push(match measure.source {
             Source::Budget(key) => measured.number(key)?,
             Source::Selftest(key) => flown.number(key)?,
-            Source::Step => single.size_of(&["every_sample", "seed_gravity"])? as f64,
+            Source::Step => single.size_of(image::is_of_step)? as f64,
+            Source::PlannedStep => planned.size_of(image::is_of_step)? as f64,
             Source::Image => single.size(&[".text", ".rodata"])? as f64,
             Source::Statics => single.size(&[".data", ".bss"])? as f64,
         });

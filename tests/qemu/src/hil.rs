@@ -1,4 +1,4 @@
-//! The image `navigator-f32` in lockstep with the program on this machine, over the machine's UART.
+//! The navigators' images in lockstep with the program on this machine, over the machine's UART.
 
 use super::image::Image;
 use super::machine::Machine;
@@ -51,4 +51,28 @@ pub fn fly(machine: &Machine, image: &Image, schuler: &Path) -> Result<Option<St
         }
     }
     Ok(Some(said))
+}
+
+/// What `schuler hil --device qemu` is flown with: in double precision, by the textbook, and with faults.
+const EMULATED: [&str; 3] = [
+    "--precision f64 --window 2,4,2 --duration 3",
+    "--precision f64 --algorithm textbook --duration 3",
+    "--precision f32x2 --window 0,4,0 --duration 5 --faults all=0.1 --retries 20",
+];
+
+/// What `schuler hil` says of flights with an image that it starts QEMU for by itself, where one fails.
+pub fn emulated(image: &Image, schuler: &Path) -> Result<Vec<String>, String> {
+    let mut failed = Vec::new();
+    for options in EMULATED {
+        let out = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let mut command = Command::new(schuler);
+        command.args(["hil", "paper", "--device", "qemu", "--no-report", "--image"]);
+        command.arg(&image.path).args(options.split_whitespace()).arg("--out").arg(out.path());
+        let ran = command.output().map_err(|error| format!("{}: {error}", schuler.display()))?;
+        if !ran.status.success() {
+            let said = String::from_utf8_lossy(&ran.stderr);
+            failed.push(format!("schuler hil --device qemu {options}: {said}"));
+        }
+    }
+    Ok(failed)
 }

@@ -1,5 +1,6 @@
 //! The target's application: what it flies is what a navigator flies without a link.
 
+use crate::line::{Flown, Line, noticed};
 use crate::session::{answers, frame, increments, initial, said, scalars, start};
 use schuler::digest::Digest;
 use schuler::link::bytes::Bytes;
@@ -78,53 +79,6 @@ fn flies_what_a_navigator_flies() {
     flies_the_same_bits::<Textbook<LocalLevelTextbook<f32>>>();
 }
 
-type Flown = Strapdown<LocalLevel<Pair<f32>>, H0B4A0>;
-
-/// A target that flies, and what it says to one frame after the other.
-struct Line {
-    target: Target<Every>,
-    increments: Vec<Vec<u8>>,
-}
-
-impl Line {
-    fn new(gap: Policy) -> Self {
-        let course = Course::new("manoeuvre", 1.0, 0.5);
-        let mut line = Self { target: Target::new(0), increments: increments::<f32>(&course) };
-        let initial = initial::<Flown>(&course);
-        line.tell(&frame(&start::<Flown>(&initial, gap), 1));
-        line
-    }
-
-    /// The frame of a sample.
-    fn sample(&self, number: u32, sequence: u32) -> Vec<u8> {
-        let increment = Bytes(&self.increments[number as usize - 1]);
-        frame(&Request::Sample { number, increment }, sequence)
-    }
-
-    /// Everything that is answered to some bytes: what is answered, what was noticed, and a name.
-    fn tell(&mut self, bytes: &[u8]) -> Vec<(u32, Counters, String)> {
-        let mut heard = Vec::new();
-        answers(&said(&mut self.target, bytes), |_, answer| {
-            let name = match answer.body {
-                Body::Hello { .. } => "hello".to_owned(),
-                Body::Solution(at) => {
-                    format!("at {} of {}: {:b}", at.integrated, at.taken, at.came)
-                }
-                Body::Restoring { words } => format!("{words} words"),
-                Body::Refused { refusal, taken } => format!("{refusal:?} at {taken}"),
-            };
-            heard.push((answer.answers, answer.counters, name));
-        });
-        heard
-    }
-}
-
-fn noticed(change: impl FnOnce(&mut Counters)) -> Counters {
-    let mut counters = Counters::default();
-    change(&mut counters);
-    counters
-}
-
 #[test]
 fn nothing_is_flown_twice() {
     let mut line = Line::new(Policy::Refuse);
@@ -139,6 +93,22 @@ fn nothing_is_flown_twice() {
     let again = line.sample(2, 5);
     let repeated = Counters { missing: 1, repeated: 1, ..late };
     assert_eq!(line.tell(&again), [(5, repeated, "at 0 of 2: 11".into())]);
+}
+
+#[test]
+fn a_greeting_begins_the_counts_anew() {
+    let mut line = Line::new(Policy::Refuse);
+    let (one, three) = (line.sample(1, 2), line.sample(2, 4));
+    line.tell(&one);
+    line.tell(&one);
+    line.tell(&[0, 7, 7, 0]);
+    let before = noticed(|c| (c.duplicated, c.missing, c.dropped.stuffing) = (1, 1, 1));
+    assert_eq!(line.tell(&three)[0].1, before);
+    let greeting = frame(&Request::Greet, 1);
+    assert_eq!(line.tell(&greeting), [(1, noticed(|_| ()), "hello".into())]);
+    let again = line.sample(2, 2);
+    let repeated = noticed(|c| c.repeated = 1);
+    assert_eq!(line.tell(&again), [(2, repeated, "at 0 of 2: 11".into())]);
 }
 
 #[test]
@@ -214,11 +184,13 @@ fn what_cannot_be_done_is_refused_by_name() {
         (Request::Sample { number: 1, increment: Bytes(&nan) }, "Rejected(Angle) at 0"),
         (Request::Restore { words: 3, offset: 0, piece: Bytes(&[0; 24]) }, "Malformed at 0"),
         (start::<Flown>(&other, Policy::Refuse), "Start(Interval) at 0"),
-        (Request::Sample { number: 1, increment: Bytes(&[0; 24]) }, "NotStarted at 0"),
-        (start::<Flown>(&initial[1..], Policy::Refuse), "Malformed at 0"),
+        // What flew before still does.
+        (Request::Sample { number: 1, increment: Bytes(&[0; 24]) }, "at 0 of 1: 1"),
+        (Request::Finish { samples: 0 }, "Count at 1"),
+        (start::<Flown>(&initial[1..], Policy::Refuse), "Malformed at 1"),
         (
             start::<Strapdown<LocalLevel<Pair<f32>>, Parabola20>>(&initial, Policy::Refuse),
-            "Configuration at 0",
+            "Configuration at 1",
         ),
         (start::<Flown>(&initial, Policy::Refuse), "at 0 of 0: 0"),
     ];

@@ -2,4 +2,5 @@
 
 mod application;
 mod framing;
+mod line;
 mod session;

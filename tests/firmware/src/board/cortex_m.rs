@@ -22,12 +22,18 @@ pub const NAME: &str = if cfg!(feature = "microbit") {
     "mps2"
 };
 
-/// What [`Counter`] counts.
-pub const UNIT: &str = if cfg!(feature = "dwt") { "cycles" } else { "instructions" };
+/// What [`Counter`] counts: in QEMU, which knows no cycles, instructions; on a board the core's clocks.
+pub const UNIT: &str = if cfg!(feature = "dwt") {
+    "cycles"
+} else if cfg!(feature = "semihosting") {
+    "instructions"
+} else {
+    "clocks"
+};
 
 /// Of that unit, how many make one count. Under QEMU's `-icount shift=0` an instruction takes 1 ns, and
 /// SysTick counts at 25, 20 or 16 MHz.
-const WORTH: f64 = if cfg!(feature = "dwt") {
+const WORTH: f64 = if cfg!(any(feature = "dwt", not(feature = "semihosting"))) {
     1.0
 } else if cfg!(feature = "microbit") {
     62.5
@@ -37,7 +43,7 @@ const WORTH: f64 = if cfg!(feature = "dwt") {
     40.0
 };
 
-/// Counts instructions, in QEMU, or cycles.
+/// Counts in [`UNIT`]s.
 pub struct Counter(());
 
 impl Counter {
@@ -52,13 +58,21 @@ impl Counter {
         Some(Self(()))
     }
 
-    /// Takes the counter and starts it; once in a program.
+    /// Takes the counter and starts it, once in a program; none where the core has none, or where it
+    /// stands still.
     #[cfg(feature = "dwt")]
     pub fn start() -> Option<Self> {
         let mut core = Peripherals::take()?;
         core.DCB.enable_trace();
+        // Some of the larger cores lock it.
+        DWT::unlock();
+        if !DWT::has_cycle_counter() {
+            return None;
+        }
         core.DWT.enable_cycle_counter();
-        Some(Self(()))
+        let from = DWT::cycle_count();
+        ::cortex_m::asm::delay(64);
+        (DWT::cycle_count() != from).then_some(Self(()))
     }
 
     /// The count now.

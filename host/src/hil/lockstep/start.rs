@@ -1,0 +1,50 @@
+//! Starting a target, and starting it again where its twin stands.
+
+use super::super::conversation::Outcome;
+use super::super::parted::{MOST_REBOOTS, Parted};
+use super::super::reply::Reply;
+use super::Lockstep;
+use schuler::link::bytes::Bytes;
+use schuler::link::message::{MOST_WORDS, Request};
+
+impl Lockstep {
+    /// Starts the target.
+    pub(super) fn begin(&mut self) -> Result<Reply, Parted> {
+        for _ in 0..MOST_REBOOTS {
+            match self.conversation.insist(&Request::Start(self.beginning.start()), 0)? {
+                Outcome::Answered(reply) => return Ok(reply),
+                Outcome::Silence => return Err(Parted::Silence("its start")),
+                Outcome::Rebooted => {}
+            }
+        }
+        Err(Parted::Reboots)
+    }
+
+    /// Starts a target that has forgotten everything from its twin's state.
+    pub(super) fn restore(&mut self) -> Result<(), Parted> {
+        let words = self.twin.words();
+        let all = (words.len() / 8) as u16;
+        'again: for _ in 0..MOST_REBOOTS {
+            match self.conversation.insist(&Request::Start(self.beginning.start()), 0)? {
+                Outcome::Answered(Reply::Standing(_)) => {}
+                Outcome::Answered(_) => return Err(Parted::Answer("its start")),
+                Outcome::Silence => return Err(Parted::Silence("its start")),
+                Outcome::Rebooted => continue,
+            }
+            for (n, piece) in words.chunks(8 * MOST_WORDS).enumerate() {
+                let offset = (n * MOST_WORDS) as u16;
+                let request = Request::Restore { words: all, offset, piece: Bytes(piece) };
+                match self.conversation.insist(&request, self.time_ns(self.reached))? {
+                    Outcome::Answered(Reply::Restoring(_)) => {}
+                    Outcome::Answered(Reply::Standing(standing)) => {
+                        return self.compare(&standing);
+                    }
+                    Outcome::Answered(_) => return Err(Parted::Answer("its state")),
+                    Outcome::Silence => return Err(Parted::Silence("its state")),
+                    Outcome::Rebooted => continue 'again,
+                }
+            }
+        }
+        Err(Parted::Reboots)
+    }
+}

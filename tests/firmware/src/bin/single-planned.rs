@@ -1,0 +1,17 @@
+//! A navigator in f32 whose series has the order that is planned when it runs.
+
+#![no_std]
+#![no_main]
+
+use schuler_firmware::board::entry;
+use schuler_firmware::{application, single};
+
+#[entry]
+fn main() -> ! {
+    single::navigate::<0>()
+}
+
+#[panic_handler]
+fn panicked(_: &core::panic::PanicInfo) -> ! {
+    application::stop()
+}

@@ -1,0 +1,74 @@
+//! The navigator as one mechanization among others.
+
+use super::super::body::BodyMotion;
+use super::super::frame::Frame;
+use super::super::mechanization::{Mechanization, Rejected, StartError, admit_held};
+use super::super::window::Window;
+use super::{State, Strapdown};
+use crate::sample::Increment;
+use crate::solution::Solution;
+
+impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
+    type Real = F::Real;
+    type Frame = F;
+    type State = State<F, W>;
+    type Output = F::Output;
+    type Body = BodyMotion<F::Real>;
+
+    fn start(&self, initial: &Solution<F::Real>) -> Result<State<F, W>, StartError> {
+        Strapdown::start(self, initial)
+    }
+    #[inline]
+    fn push(&self, state: &mut State<F, W>, sample: Increment<F::Real>) -> Result<(), Rejected> {
+        Strapdown::push(self, state, sample)
+    }
+    #[inline]
+    fn push_rows(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<F::Real>,
+        read: impl FnMut(u64, F::Output),
+    ) -> Result<(), Rejected> {
+        Strapdown::push_rows(self, state, sample, read)
+    }
+    fn finish(&self, state: &mut State<F, W>) {
+        Strapdown::finish(self, state);
+    }
+    fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
+        Strapdown::finish_rows(self, state, read);
+    }
+    fn push_blocks(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<F::Real>,
+        see: impl FnMut(u64, &BodyMotion<F::Real>, &F),
+    ) -> Result<(), Rejected> {
+        Strapdown::push_blocks(self, state, sample, see)
+    }
+    fn finish_blocks(
+        &self,
+        state: &mut State<F, W>,
+        see: impl FnMut(u64, &BodyMotion<F::Real>, &F),
+    ) {
+        Strapdown::finish_blocks(self, state, see);
+    }
+    fn hold_vertical(
+        &self,
+        state: &mut State<F, W>,
+        altitude: F::Real,
+        down: F::Real,
+    ) -> Result<(), Rejected> {
+        admit_held(altitude, down)?;
+        state.frame.hold_vertical(altitude, down);
+        Ok(())
+    }
+    fn frame(state: &State<F, W>) -> &F {
+        &state.frame
+    }
+    fn integrated(state: &State<F, W>) -> u64 {
+        state.integrated
+    }
+    fn output(&self, state: &State<F, W>) -> F::Output {
+        state.output()
+    }
+}

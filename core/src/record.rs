@@ -14,8 +14,8 @@ pub trait Record {
     fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64);
 }
 
-macro_rules! record_word {
-    ($($t:ty),+) => {
+macro_rules! record_numbers {
+    ($($t:ty: $bits:expr, $back:expr;)+) => {
         $(impl Record for $t {
             #[inline(always)]
             fn record(
@@ -23,29 +23,19 @@ macro_rules! record_word {
                 name: &'static str,
                 visit: &mut impl FnMut(&'static str, u64) -> u64,
             ) {
-                *self = visit(name, *self as u64) as $t;
+                *self = $back(visit(name, $bits(*self)));
             }
         })+
     };
 }
 
-macro_rules! record_float {
-    ($($t:ty),+) => {
-        $(impl Record for $t {
-            #[inline(always)]
-            fn record(
-                &mut self,
-                name: &'static str,
-                visit: &mut impl FnMut(&'static str, u64) -> u64,
-            ) {
-                *self = <$t>::from_bits(visit(name, self.to_bits().into()) as _);
-            }
-        })+
-    };
+record_numbers! {
+    u32: u64::from, |word| word as u32;
+    u64: u64::from, u64::from;
+    usize: |x| x as u64, |word| word as usize;
+    f32: |x: f32| x.to_bits().into(), |word| f32::from_bits(word as u32);
+    f64: f64::to_bits, f64::from_bits;
 }
-
-record_word!(u32, u64, usize);
-record_float!(f32, f64);
 
 #[cfg(feature = "micromath")]
 impl Record for crate::math::coarse::Coarse {

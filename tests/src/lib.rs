@@ -10,8 +10,11 @@ use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::frame::Output as _;
 use schuler::strapdown::mechanization::Mechanization;
-use schuler_host::scene::builtin;
+use schuler_host::scene::{
+    Channel, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory, builtin,
+};
 use schuler_host::source::Source;
+use std::f64::consts::FRAC_PI_4;
 
 /// A built-in scene's motion with its perfect samples.
 pub struct Course {
@@ -111,4 +114,32 @@ impl Numbers {
     pub fn vector(&mut self, bound: f64) -> Vector<f64> {
         Vector::new((), (), ()).map(|()| self.within(bound))
     }
+}
+
+/// Perfect sensors at rest: level, heading north, at 45° and 1000 m.
+pub fn at_rest(duration_s: f64) -> Scene {
+    let still = |offset| Channel { offset, ..Channel::default() };
+    Scene {
+        name: "at rest".into(),
+        title: String::new(),
+        duration_s,
+        rate_hz: 20.0,
+        seed: 1,
+        trajectory: Trajectory {
+            latitude: still(FRAC_PI_4),
+            altitude: still(1000.0),
+            ..Trajectory::default()
+        },
+        gyro: SensorErrors::default(),
+        accelerometer: SensorErrors::default(),
+        initial_error: InitialError::default(),
+        navigator: Navigator::default(),
+        link: Link::default(),
+    }
+}
+
+/// Asserts a number to a share of what it should be.
+pub fn near(value: f64, expected: f64, relative: f64, what: &str) {
+    let error = (value - expected).abs();
+    assert!(error <= relative * expected.abs(), "{what}: {value} is not {expected}");
 }

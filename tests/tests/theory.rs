@@ -4,43 +4,15 @@
 //! into the others: by (ω_ie t)² at most, 2e-5 at 60 s and 5e-4 at 300 s.
 
 use schuler::earth::{Radii, gravity};
-use schuler_host::scene::{
-    Channel, GaussMarkov, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory, Vertical,
-};
+use schuler_host::scene::{GaussMarkov, Vertical};
 use schuler_host::theory::{Expected, Theory};
+use schuler_tests::{at_rest, near};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 const DEG_H: f64 = PI / 180.0 / 3600.0;
 const DEG_SQRT_H: f64 = PI / 180.0 / 60.0;
 const UG: f64 = 9.80665e-6;
 const ARCSEC: f64 = PI / 180.0 / 3600.0;
-
-/// Perfect sensors at rest: level, heading north, at 45° and 1000 m.
-fn at_rest() -> Scene {
-    let still = |offset| Channel { offset, ..Channel::default() };
-    Scene {
-        name: "at rest".into(),
-        title: String::new(),
-        duration_s: 3600.0,
-        rate_hz: 20.0,
-        seed: 1,
-        trajectory: Trajectory {
-            latitude: still(FRAC_PI_4),
-            altitude: still(1000.0),
-            ..Trajectory::default()
-        },
-        gyro: SensorErrors::default(),
-        accelerometer: SensorErrors::default(),
-        initial_error: InitialError::default(),
-        navigator: Navigator::default(),
-        link: Link::default(),
-    }
-}
-
-fn near(value: f64, expected: f64, relative: f64, what: &str) {
-    let error = (value - expected).abs();
-    assert!(error <= relative * expected.abs(), "{what}: {value} is not {expected}");
-}
 
 /// Times up to 300 s, on and between the steps, and the tolerance there.
 fn each_time(scene: &Scene, mut check: impl FnMut(f64, f64, &Expected)) {
@@ -60,7 +32,7 @@ fn schuler_constants() -> (f64, f64, f64) {
 
 #[test]
 fn covariance_of_the_reference_table() {
-    let mut scene = at_rest();
+    let mut scene = at_rest(3600.0);
     let process = |rms: f64| Some(GaussMarkov { rms: [rms; 3], correlation_s: [720.0; 3] });
     scene.gyro.turn_on = Some([0.1 * DEG_H; 3]);
     scene.gyro.gauss_markov = process(0.1 * DEG_H);
@@ -88,7 +60,7 @@ fn covariance_of_the_reference_table() {
 fn accelerometer_bias() {
     let (g, _, w) = schuler_constants();
     let b = 1e-3;
-    let mut scene = at_rest();
+    let mut scene = at_rest(3600.0);
     scene.accelerometer.constant = Some([b, 0.0, 0.0]);
     each_time(&scene, |t, tolerance, Expected { mean, .. }| {
         let versine = 2.0 * (w * t / 2.0).sin().powi(2);
@@ -102,7 +74,7 @@ fn accelerometer_bias() {
 fn gyro_drift() {
     let (_, r, w) = schuler_constants();
     let drift = 1e-7;
-    let mut scene = at_rest();
+    let mut scene = at_rest(3600.0);
     scene.gyro.constant = Some([0.0, drift, 0.0]);
     each_time(&scene, |t, tolerance, Expected { mean, .. }| {
         // t − sin(ωt)/ω, by its series where it cancels
@@ -124,7 +96,7 @@ fn gyro_drift() {
 fn initial_tilt() {
     let (g, r, w) = schuler_constants();
     let tilt = 1e-5;
-    let mut scene = at_rest();
+    let mut scene = at_rest(3600.0);
     scene.initial_error.attitude_rad = [0.0, tilt, 0.0];
     each_time(&scene, |t, tolerance, Expected { mean, .. }| {
         let versine = 2.0 * (w * t / 2.0).sin().powi(2);
@@ -138,7 +110,7 @@ fn initial_tilt() {
 fn angle_random_walk() {
     let (g, r, w) = schuler_constants();
     let n = 0.01 * DEG_SQRT_H;
-    let mut scene = at_rest();
+    let mut scene = at_rest(3600.0);
     scene.gyro.white = Some([0.0, n, 0.0]);
     each_time(&scene, |t, tolerance, Expected { sigma, .. }| {
         let x = w * t;
@@ -169,7 +141,7 @@ fn sine_squared(w: f64, t: f64) -> f64 {
 fn velocity_random_walk() {
     let (g, r, w) = schuler_constants();
     let m = 1e-3;
-    let mut scene = at_rest();
+    let mut scene = at_rest(3600.0);
     scene.accelerometer.white = Some([m, 0.0, 0.0]);
     each_time(&scene, |t, tolerance, Expected { sigma, .. }| {
         let sine = sine_squared(w, t);
@@ -186,7 +158,7 @@ fn vertical_channel() {
     let k = ((gravity(s, 900.0) - gravity(s, 1100.0)) / 200.0).sqrt();
     near(1.0 / k, 569.0, 1e-3, "time constant");
     let (b, m, down) = (1e-3, 1e-3, 10.0);
-    let mut scene = at_rest();
+    let mut scene = at_rest(3600.0);
     scene.accelerometer.white = Some([0.0, 0.0, m]);
     scene.accelerometer.constant = Some([0.0, 0.0, b]);
     each_time(&scene, |t, tolerance, Expected { mean, sigma }| {
@@ -200,7 +172,7 @@ fn vertical_channel() {
         };
         near(sigma.position_ned.z, m / k * variance.sqrt(), tolerance, "random walk");
     });
-    scene = at_rest();
+    scene = at_rest(3600.0);
     scene.initial_error.position_m = [0.0, 0.0, down];
     each_time(&scene, |t, tolerance, Expected { mean, .. }| {
         near(mean.position_ned.z, down * (k * t).cosh(), tolerance, "start");

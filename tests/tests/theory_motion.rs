@@ -2,37 +2,14 @@
 
 use schuler::earth::{ROTATION_RATE, gravity};
 use schuler::trajectory::harmonic::Harmonic;
-use schuler_host::scene::{
-    Channel, GaussMarkov, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory, Vertical,
-};
+use schuler_host::scene::{Channel, GaussMarkov, Scene, SensorErrors, Vertical};
 use schuler_host::theory::{Expected, Theory};
+use schuler_tests::at_rest;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
-
-/// Perfect sensors at rest: level, heading north, at 45° and 1000 m.
-fn at_rest() -> Scene {
-    let still = |offset| Channel { offset, ..Channel::default() };
-    Scene {
-        name: "at rest".into(),
-        title: String::new(),
-        duration_s: 60.0,
-        rate_hz: 20.0,
-        seed: 1,
-        trajectory: Trajectory {
-            latitude: still(FRAC_PI_4),
-            altitude: still(1000.0),
-            ..Trajectory::default()
-        },
-        gyro: SensorErrors::default(),
-        accelerometer: SensorErrors::default(),
-        initial_error: InitialError::default(),
-        navigator: Navigator::default(),
-        link: Link::default(),
-    }
-}
 
 /// Turning about every axis, fast, while flying a curve.
 fn manoeuvre() -> Scene {
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     let wave = |amplitude, angular_rate, phase| Channel {
         harmonics: vec![Harmonic { amplitude, angular_rate, phase }],
         ..Channel::default()
@@ -76,7 +53,7 @@ const TIMES: [f64; 6] = [0.05, 0.2, 0.55, 1.3, 4.0, 9.9];
 #[test]
 fn gyro_scale_factor_counts_turns() {
     let (scale, rate) = (1e-5, 3.0);
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     scene.trajectory.roll.rate = rate;
     scene.gyro.scale_factor = Some([scale, 0.0, 0.0]);
     let mut theory = Theory::new(&scene).unwrap();
@@ -90,7 +67,7 @@ fn gyro_scale_factor_counts_turns() {
 fn gyro_misalignment_turns_yaw_into_tilt() {
     // Reading −m × ω: with m forward and ω down, a rate m·ω about right.
     let (m, rate) = (1e-5, 0.7);
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     scene.trajectory.yaw.rate = rate;
     scene.gyro.misalignment = Some([m, 0.0, 0.0]);
     let mut theory = Theory::new(&scene).unwrap();
@@ -105,7 +82,7 @@ fn gyro_misalignment_turns_yaw_into_tilt() {
 fn gravity_acts_on_scale_misalignment_and_gyros() {
     let g = gravity(FRAC_PI_4.sin(), 1000.0);
     let (scale, m, sensitivity) = (1e-4, 1e-4, 1e-8);
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     scene.accelerometer.scale_factor = Some([0.0, 0.0, scale]);
     scene.accelerometer.misalignment = Some([0.0, m, 0.0]);
     scene.gyro.g_sensitivity = Some([0.0, 0.0, sensitivity]);
@@ -122,7 +99,7 @@ fn gravity_acts_on_scale_misalignment_and_gyros() {
 #[test]
 fn accelerometer_bias_turns_with_the_vehicle() {
     let (b, rate) = (1e-3, 3.0);
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     scene.trajectory.roll.rate = rate;
     scene.accelerometer.constant = Some([0.0, b, 0.0]);
     scene.accelerometer.turn_on = Some([0.0, b, 0.0]);
@@ -194,7 +171,7 @@ fn nothing_to_expect_of_perfect_sensors() {
     assert!(theory.is_zero());
     assert_eq!(theory.at(50.0), Expected::default());
     assert_eq!(theory.covariance(50.0), [[0.0; 9]; 9]);
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     scene.initial_error.velocity_m_s = [0.0, 0.0, 1.0];
     assert!(!Theory::new(&scene).unwrap().is_zero());
 }
@@ -203,7 +180,7 @@ fn nothing_to_expect_of_perfect_sensors() {
 fn over_the_pole() {
     // 11 km before the pole at 250 m/s, along a meridian
     let (b, drift) = (1e-3, 1e-7);
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     scene.trajectory.latitude =
         Channel { offset: 89.9_f64.to_radians(), rate: 250.0 / 6.4e6, harmonics: Vec::new() };
     scene.accelerometer.constant = Some([b, 0.0, 0.0]);

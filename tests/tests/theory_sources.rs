@@ -2,38 +2,10 @@
 //! Schuler's period and the vertical channel's, (ω_s t)² and (κt)² ≤ 1.2e-3, of which the laws see a tenth.
 
 use schuler::earth::gravity;
-use schuler_host::scene::{
-    Channel, GaussMarkov, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory,
-};
+use schuler_host::scene::GaussMarkov;
 use schuler_host::theory::Theory;
+use schuler_tests::{at_rest, near};
 use std::f64::consts::{FRAC_PI_4, LN_10, PI};
-
-/// Perfect sensors at rest: level, heading north, at 45° and 1000 m.
-fn at_rest() -> Scene {
-    let still = |offset| Channel { offset, ..Channel::default() };
-    Scene {
-        name: "at rest".into(),
-        title: String::new(),
-        duration_s: 60.0,
-        rate_hz: 20.0,
-        seed: 1,
-        trajectory: Trajectory {
-            latitude: still(FRAC_PI_4),
-            altitude: still(1000.0),
-            ..Trajectory::default()
-        },
-        gyro: SensorErrors::default(),
-        accelerometer: SensorErrors::default(),
-        initial_error: InitialError::default(),
-        navigator: Navigator::default(),
-        link: Link::default(),
-    }
-}
-
-fn near(value: f64, expected: f64, relative: f64, what: &str) {
-    let error = (value - expected).abs();
-    assert!(error <= relative * expected.abs(), "{what}: {value} is not {expected}");
-}
 
 const TIMES: [f64; 7] = [0.05, 0.2, 0.55, 1.3, 3.0, 7.7, 20.0];
 
@@ -56,7 +28,7 @@ fn gauss_markov_variances(rms: f64, t: f64, correlation_s: f64) -> [f64; 2] {
 #[test]
 fn gauss_markov_of_any_correlation_time() {
     for correlation_s in [0.01, 0.3, 3.0, 100.0] {
-        let mut scene = at_rest();
+        let mut scene = at_rest(60.0);
         let rms = [0.0, 0.0, 1e-3];
         scene.accelerometer.gauss_markov =
             Some(GaussMarkov { rms, correlation_s: [correlation_s; 3] });
@@ -73,7 +45,7 @@ fn gauss_markov_of_any_correlation_time() {
 
 #[test]
 fn bias_instability_has_a_pole_per_decade() {
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     scene.accelerometer.bias_instability = Some([0.0, 0.0, 1e-3]);
     let mut theory = Theory::new(&scene).unwrap();
     // 1200 samples: poles at 1, 10, 100 and 1000 of them
@@ -95,7 +67,7 @@ fn bias_instability_has_a_pole_per_decade() {
 fn random_walk_of_the_bias() {
     let g = gravity(FRAC_PI_4.sin(), 1000.0);
     let k = 1e-6;
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     scene.gyro.random_walk = Some([0.0, k, 0.0]);
     scene.accelerometer.random_walk = Some([0.0, 0.0, k]);
     let mut theory = Theory::new(&scene).unwrap();
@@ -113,7 +85,7 @@ fn random_walk_of_the_bias() {
 fn quantization_is_bounded_and_drives_the_next_integral() {
     let g = gravity(FRAC_PI_4.sin(), 1000.0);
     let (angle, velocity) = (1e-5, 1e-3);
-    let mut scene = at_rest();
+    let mut scene = at_rest(60.0);
     scene.gyro.quantization = Some([0.0, angle, 0.0]);
     let mut theory = Theory::new(&scene).unwrap();
     for t in TIMES {
@@ -123,7 +95,7 @@ fn quantization_is_bounded_and_drives_the_next_integral() {
         near(sigma.velocity_ned.x, g * q * (0.05 * t).sqrt(), 1e-3, "velocity");
         near(sigma.position_ned.x, g * q * (0.05 * t.powi(3) / 3.0).sqrt(), 1e-3, "position");
     }
-    scene = at_rest();
+    scene = at_rest(60.0);
     scene.accelerometer.quantization = Some([0.0, 0.0, velocity]);
     theory = Theory::new(&scene).unwrap();
     for t in TIMES {

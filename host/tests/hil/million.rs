@@ -20,6 +20,8 @@ use schuler_host::simulate::Vehicle;
 
 const FRAMES: u64 = 1_000_000;
 const RATE_HZ: f64 = 100.0;
+/// Samples from one end of a swing to the other.
+const SWING: u64 = 400;
 
 #[test]
 fn of_a_million_frames_nothing_wrong_is_accepted_and_nothing_right_is_lost() {
@@ -59,13 +61,18 @@ fn of_a_million_frames_nothing_wrong_is_accepted_and_nothing_right_is_lost() {
     let mut alone = start();
     let samples = FRAMES / 2;
     for n in 0..samples {
-        let swing = (n % 400) as f64 / 200.0 - 1.0;
+        let swing = 2.0 * (n % SWING) as f64 / SWING as f64 - 1.0;
         let sample = Increment {
             angle_b: Vector::new(1e-5 * swing, -2e-5 * swing, 1e-6),
             velocity_b: Vector::new(0.005, -0.01 * swing, -0.0978),
         };
         lockstep.push(&sample, &mut |_, _| ()).unwrap_or_else(|why| panic!("{n}: {why:?}"));
         alone.push(&sample, &mut |_, _| ()).unwrap();
+        // So that over an hour and more it stays where navigation goes on.
+        if n % SWING == 0 {
+            lockstep.hold_vertical(1000.0, 0.0).unwrap();
+            alone.hold_vertical(1000.0, 0.0).unwrap();
+        }
     }
     lockstep.finish(&mut |_, _| ()).unwrap();
     alone.finish(&mut |_, _| ()).unwrap();

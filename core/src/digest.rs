@@ -2,8 +2,9 @@
 //! bits in every field after every block. A chain keeps it at checkpoints, between which two runs
 //! that part can be told apart.
 //!
-//! Every word goes into one of four lanes in turn, each state beginning with the first, so that the multiplications overlap; it is no
-//! cryptographic hash. Words are numbers, not bytes in memory, so that endianness does not show.
+//! Every word goes into one of four lanes in turn, each state beginning with the first, so that the
+//! multiplications overlap; it is no cryptographic hash. Words are numbers, not bytes in memory, so
+//! that endianness does not show.
 //!
 //! The promise behind it: for one scene, seed, precision and configuration every state has the same
 //! bits on every target. It rests on IEEE 754's + − × ÷ √, a pinned libm, no float function of the

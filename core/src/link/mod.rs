@@ -1,8 +1,8 @@
 //! The link between a host and a target that navigates: frames, messages, and the target's application.
 //!
 //! Bytes → [`decoder`] → [`frame`] → [`message`] → [`target`], which owns a [`flight`] of one of the
-//! mechanizations of its [`fleet`]. Every frame of a host that reaches its target whole is answered by one frame.
-//! Everything is little-endian, and numbers cross as their bits.
+//! mechanizations of its [`fleet`]. Every frame of a host that reaches its target whole is answered by
+//! one frame. Everything is little-endian, and numbers cross as their bits.
 
 pub mod bytes;
 pub mod configuration;

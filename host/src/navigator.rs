@@ -4,7 +4,7 @@ mod available;
 
 pub use available::{Unavailable, check, terms};
 
-use crate::lanes;
+use crate::lanes::abreast::Refused;
 use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
 use schuler::digest::Digest;
 use schuler::math::compensated::{Pair, TwoFloat};
@@ -32,7 +32,7 @@ pub trait Navigate: Send {
     /// Takes a sample, and reads the rows that it completes.
     fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected>;
     /// Takes samples without reading a row; stops before one that is refused.
-    fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), lanes::Refused>;
+    fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), Refused>;
     /// Navigation at the end of the last block.
     fn solution(&self) -> Solution<f64>;
     /// Completes the rows that wait for samples.
@@ -105,10 +105,10 @@ fn fly<M: Mechanization>(
     mechanization: &M,
     state: &mut M::State,
     samples: &[Increment<M::Real>],
-) -> Result<(), lanes::Refused> {
+) -> Result<(), Refused> {
     for (taken, &sample) in samples.iter().enumerate() {
         let pushed = mechanization.push(state, sample);
-        pushed.map_err(|reason| lanes::Refused { taken, reason })?;
+        pushed.map_err(|reason| Refused { taken, reason })?;
     }
     Ok(())
 }
@@ -129,7 +129,7 @@ where
         Ok(())
     }
 
-    fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), lanes::Refused> {
+    fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), Refused> {
         let samples = narrow(samples, &mut self.carried);
         fly(&self.mechanization, &mut self.state, &samples)
     }

@@ -144,34 +144,62 @@ pub struct Series<R: Real, const N: usize> {
 /// Products of orders up to this one are written out; more take a loop.
 const FEW: usize = 3;
 
+/// A loop over these numbers, written out: what it indexes need not be in memory.
+macro_rules! written_out {
+    ($n:ident in [$($number:literal)+] if $wanted:expr => $body:expr) => {
+        $({
+            let $n = $number;
+            if $wanted {
+                $body;
+            }
+        })+
+    };
+}
+
 impl<R: Real, const N: usize> Series<R, N> {
     /// Solved to σ^`order`, at most N − 1: the fit enters whole, products with it as far as that.
     #[inline(always)]
     fn solve<const K: usize>(fit: &Fit<R, K>, order: usize) -> Self {
         const { assert!(N % 2 == 1 && N > K + 1 && K + 1 >= FEW) };
+        // Apart, so that the few are never in memory.
+        if order <= FEW { Self::few(fit) } else { Self::many(fit, order) }
+    }
+
+    #[inline(always)]
+    fn few<const K: usize>(fit: &Fit<R, K>) -> Self {
         let rate = fit.rate.map(|w| w.map(R::Twin::both));
+        let mut series = Self::begun();
+        series.advance(0, 0, fit, &rate);
+        series.advance(1, 1, fit, &rate);
+        series.advance(2, 2, fit, &rate);
+        const { assert!(FEW == 3 && K <= 14) };
+        written_out!(n in [3 4 5 6 7 8 9 10 11 12 13 14] if n <= K => series.advance(n, 0, fit, &rate));
+        written_out!(n in [7 6 5 4 3 2 1 0] if 2 * n <= K => series.sum_two(n));
+        series.last = K + 1;
+        series
+    }
+
+    #[inline(always)]
+    fn many<const K: usize>(fit: &Fit<R, K>, order: usize) -> Self {
+        let rate = fit.rate.map(|w| w.map(R::Twin::both));
+        let mut series = Self::begun();
+        let order = order.min(N - 1);
+        for n in 0..order {
+            series.advance(n, n, fit, &rate);
+        }
+        for n in order..K + 1 {
+            series.advance(n, 0, fit, &rate);
+        }
+        series.sum(order.max(K + 1));
+        series
+    }
+
+    /// q₀ = 1, U₀ = D₀ = 0: the products with them are wₙ itself and 0.
+    #[inline(always)]
+    fn begun() -> Self {
         let zero = Term::zero();
         let mut series = Self { terms: [zero; N], last: 0, even: zero, odd: zero, curved: zero };
-        // q₀ = 1, U₀ = D₀ = 0: the products with them are wₙ itself and 0.
         series.terms[0].wx = R::Twin::new(R::ONE, R::ZERO);
-        if order <= FEW {
-            series.advance(0, 0, fit, &rate);
-            series.advance(1, 1, fit, &rate);
-            series.advance(2, 2, fit, &rate);
-            for n in FEW..K + 1 {
-                series.advance(n, 0, fit, &rate);
-            }
-            series.sum(K + 1);
-        } else {
-            let order = order.min(N - 1);
-            for n in 0..order {
-                series.advance(n, n, fit, &rate);
-            }
-            for n in order..K + 1 {
-                series.advance(n, 0, fit, &rate);
-            }
-            series.sum(order.max(K + 1));
-        }
         series
     }
 
@@ -213,12 +241,18 @@ impl<R: Real, const N: usize> Series<R, N> {
     #[inline(always)]
     fn sum(&mut self, last: usize) {
         for n in (0..last.div_ceil(2)).rev() {
-            if let Some([odd, even]) = self.terms.get(2 * n + 1..2 * n + 3) {
-                self.odd = self.odd.zip(*odd, |a, b| a + b);
-                self.even = self.even.zip(*even, |a, b| a + b);
-            }
+            self.sum_two(n);
         }
         self.last = last;
+    }
+
+    /// Adds the n-th odd and even terms to their sums.
+    #[inline(always)]
+    fn sum_two(&mut self, n: usize) {
+        if let Some([odd, even]) = self.terms.get(2 * n + 1..2 * n + 3) {
+            self.odd = self.odd.zip(*odd, |a, b| a + b);
+            self.even = self.even.zip(*even, |a, b| a + b);
+        }
     }
 }
 

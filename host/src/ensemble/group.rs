@@ -1,7 +1,8 @@
-//! Runs that fly together on one core: four abreast where a window is compiled for lanes, else one.
+//! Runs that fly together on one core: abreast where a window is compiled for lanes, else one.
 
-use crate::lanes::pack::{Four, Lanes, RUNS};
-use crate::lanes::{Abreast, InLanes, Refused, Split, in_registers, pack};
+use crate::lanes::abreast::{Abreast, Packed, Refused, pack};
+use crate::lanes::pack::Lanes;
+use crate::lanes::{InLanes, Registers, in_registers};
 use crate::navigator::{self, Navigate, Unavailable};
 use crate::plan::Plan;
 use crate::scene::{Frame, Scene};
@@ -12,7 +13,7 @@ use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::{self, Output};
+use schuler::strapdown::frame::Output;
 use schuler::strapdown::local_level::LocalLevel;
 use schuler::strapdown::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window};
 use std::array;
@@ -40,26 +41,22 @@ pub trait Group: Send {
 /// What runs are flown in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
-    /// Four abreast in AVX2 registers.
-    Avx2,
-    /// Four abreast, as any machine can.
-    Four,
+    /// Abreast in vector registers.
+    In(Registers),
     /// Each run by itself.
     Alone,
 }
 
 impl Unit {
     /// All there are, the fastest first.
-    pub const ALL: &[Self] = &[Self::Avx2, Self::Four, Self::Alone];
+    pub const ALL: &[Self] = &[Self::In(Registers::Avx512), Self::In(Registers::Avx2), Self::Alone];
 
     /// How many runs it takes side by side.
     pub fn runs(self) -> usize {
-        if self == Self::Alone { 1 } else { RUNS }
-    }
-
-    /// Whether its lanes are those of AVX2.
-    pub fn is_in_registers(self) -> bool {
-        self == Self::Avx2
+        match self {
+            Self::In(registers) => registers.runs(),
+            Self::Alone => 1,
+        }
     }
 }
 
@@ -83,9 +80,11 @@ impl<'a> Ground<'a> {
         Self { scene, source, plan, initial }
     }
 
-    /// The fastest unit that this machine has and that the window is compiled for.
-    pub fn fastest(&self) -> Unit {
-        let starts = |&unit: &Unit| matches!(self.start(unit, 0..1), Ok(Some(_)));
+    /// The fastest unit for so many runs that this machine has and that the window is compiled for.
+    pub fn fastest(&self, runs: u64) -> Unit {
+        let starts = |&unit: &Unit| {
+            unit.runs() as u64 <= runs && matches!(self.start(unit, 0..1), Ok(Some(_)))
+        };
         Unit::ALL.iter().copied().find(starts).unwrap_or(Unit::Alone)
     }
 
@@ -97,8 +96,9 @@ impl<'a> Ground<'a> {
         runs: Range<u64>,
     ) -> Result<Option<Box<dyn Group + 'a>>, Unavailable> {
         match unit {
-            Unit::Avx2 => in_registers(Start { ground: self, runs }).unwrap_or(Ok(None)),
-            Unit::Four => self.abreast::<Four>(runs),
+            Unit::In(registers) => {
+                in_registers(registers, Start { ground: self, runs }).unwrap_or(Ok(None))
+            }
             Unit::Alone => {
                 let (navigator, plan) = (&self.scene.navigator, &self.plan);
                 let interval_s = self.interval_s();
@@ -118,19 +118,22 @@ impl<'a> Ground<'a> {
         Pair::new(self.scene.rate_hz).reciprocal()
     }
 
-    fn abreast<P: Lanes>(
+    fn abreast<P: Lanes<N>, const N: usize>(
         &self,
         runs: Range<u64>,
     ) -> Result<Option<Box<dyn Group + 'a>>, Unavailable> {
         match self.scene.navigator.frame {
-            Frame::LocalLevel => self.in_frame::<LocalLevel<Pair<P>>>(runs),
-            Frame::EarthFixed => self.in_frame::<EarthFixed<Pair<P>>>(runs),
+            Frame::LocalLevel => self.in_frame::<LocalLevel<Pair<P>>, N>(runs),
+            Frame::EarthFixed => self.in_frame::<EarthFixed<Pair<P>>, N>(runs),
         }
     }
 
-    fn in_frame<F>(&self, runs: Range<u64>) -> Result<Option<Box<dyn Group + 'a>>, Unavailable>
+    fn in_frame<F, const N: usize>(
+        &self,
+        runs: Range<u64>,
+    ) -> Result<Option<Box<dyn Group + 'a>>, Unavailable>
     where
-        F: frame::Frame<Real: Lanes, Output: Split<Alone: Output<f64>>> + Send + 'static,
+        F: Packed<N, Alone: Send> + Send + 'static,
     {
         let window = self.plan.window;
         let shape = (window.history, window.block, window.lookahead);
@@ -138,10 +141,10 @@ impl<'a> Ground<'a> {
         macro_rules! windows {
             ($($name:ident),+) => {
                 $(if ($name::HISTORY, $name::BLOCK, $name::LOOKAHEAD) == shape {
-                    let abreast = Abreast::<F, $name>::start(
+                    let abreast = Abreast::<F, $name, N>::start(
                         self.interval_s(),
                         self.plan.order,
-                        &[self.initial; RUNS],
+                        &[self.initial; N],
                     )?;
                     let streams = runs.map(|run| self.source.start(run)).collect();
                     return Ok(Some(Box::new(Pack { abreast, streams, measured: Vec::new() })));
@@ -161,24 +164,24 @@ struct Start<'g, 'a> {
 
 impl<'a> InLanes for Start<'_, 'a> {
     type Output = Result<Option<Box<dyn Group + 'a>>, Unavailable>;
-    fn run<P: Lanes>(self) -> Self::Output {
-        self.ground.abreast::<P>(self.runs)
+    fn run<P: Lanes<N>, const N: usize>(self) -> Self::Output {
+        self.ground.abreast::<P, N>(self.runs)
     }
 }
 
-/// Four runs abreast; with fewer, the last one flies in the idle lanes too.
-struct Pack<'a, F: frame::Frame, W: Window> {
-    abreast: Abreast<F, W>,
+/// Runs abreast; with fewer than lanes, the last one flies in the idle ones too.
+struct Pack<'a, F: Packed<N>, W: Window, const N: usize> {
+    abreast: Abreast<F, W, N>,
     streams: Vec<Samples<'a>>,
     measured: Vec<Increment<F::Real>>,
 }
 
-impl<F: frame::Frame<Real: Lanes>, W: Window> Pack<'_, F, W> {
+impl<F: Packed<N>, W: Window, const N: usize> Pack<'_, F, W, N> {
     fn measure(&mut self, perfect: &[Increment<f64>]) {
         self.measured.clear();
         for perfect in perfect {
             let mut last = *perfect;
-            let lanes = array::from_fn(|lane| {
+            let lanes: [_; N] = array::from_fn(|lane| {
                 if let Some(stream) = self.streams.get_mut(lane) {
                     last = stream.sense(perfect);
                 }
@@ -189,9 +192,9 @@ impl<F: frame::Frame<Real: Lanes>, W: Window> Pack<'_, F, W> {
     }
 }
 
-impl<F, W> Group for Pack<'_, F, W>
+impl<F, W, const N: usize> Group for Pack<'_, F, W, N>
 where
-    F: frame::Frame<Real: Lanes, Output: Split<Alone: Output<f64>>>,
+    F: Packed<N>,
     W: Window,
     Self: Send,
 {
@@ -224,7 +227,7 @@ where
 
     fn navigation_ns(&mut self, perfect: &[Increment<f64>]) -> f64 {
         self.measure(perfect);
-        timing::per_sample((perfect.len() * RUNS) as u64, &mut || {
+        timing::per_sample((perfect.len() * N) as u64, &mut || {
             let mut abreast = self.abreast;
             // What cannot be right was refused in the flight itself.
             let _ = abreast.push(&self.measured);

@@ -14,6 +14,7 @@ pub mod table;
 pub use check::check;
 
 use crate::cli::EnsembleArgs;
+use crate::lanes::Registers;
 use crate::output::{OutputFile, say};
 use crate::progress::Progress;
 use crate::report::number::{rounded, short};
@@ -38,7 +39,7 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let source = Source::new(&scene, false)?;
     let mut theory = Theory::new(&scene).map_err(SourceError::Trajectory)?;
     let ground = Ground::new(&scene, &source);
-    let unit = ground.fastest();
+    let unit = ground.fastest(args.runs);
     // A scene that cannot start, or a file that cannot be written, is found before the long work.
     ground.start(Unit::Alone, 0..1)?;
     let file = OutputFile::create(directory.join("ensemble.csv"))?;
@@ -87,7 +88,11 @@ fn speed(
         Unit::Alone => "one at a time".to_owned(),
         unit => format!("{} side by side", unit.runs()),
     };
-    let registers = if unit.is_in_registers() { " in AVX2 registers" } else { "" };
+    let registers = match unit {
+        Unit::In(Registers::Avx512) => " in AVX-512 registers",
+        Unit::In(Registers::Avx2) => " in AVX2 registers",
+        Unit::Alone => "",
+    };
     let rate = short(runs as f64 / seconds);
     let seconds = rounded(seconds, 3);
     let alone = rounded(alone_ns, 3);

@@ -25,7 +25,7 @@ fn a_small_ensemble_prints_its_table_and_writes_its_file() {
         "Standard deviation over theory's",
         "The ensemble agrees with theory at 99.9 %: 144 tests",
         "10 runs in ",
-        " per second, 4 side by side on each of ",
+        " side by side on each of ",
         "ns per sample and run abreast, ",
         "written to o\n",
     ] {

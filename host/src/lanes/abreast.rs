@@ -1,0 +1,238 @@
+//! Runs in flight side by side, whole blocks at a time.
+//!
+//! The first and the last blocks of a stream are flown by each run alone: their code is rare and large.
+//! In between the states stand in lanes, joined and split along the list of fields that storage and
+//! digests walk.
+
+use super::pack::{LANE, Lanes, Task};
+use schuler::math::compensated::Pair;
+use schuler::math::vector::Vector;
+use schuler::record::Record;
+use schuler::sample::Increment;
+use schuler::solution::Solution;
+use schuler::strapdown::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::Frame;
+use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::mechanization::{Rejected, StartError};
+use schuler::strapdown::navigator::{State, Strapdown};
+use schuler::strapdown::window::Window;
+use std::array;
+use std::ops::Range;
+
+/// A frame over a pack of `N` runs.
+pub trait Packed<const N: usize>: Frame<Real: Lanes<N>> + Record {
+    /// The same frame of one run.
+    type Alone: Frame<Real = f64> + Record;
+}
+
+impl<P: Lanes<N>, const N: usize> Packed<N> for LocalLevel<Pair<P>> {
+    type Alone = LocalLevel<Pair<f64>>;
+}
+
+impl<P: Lanes<N>, const N: usize> Packed<N> for EarthFixed<Pair<P>> {
+    type Alone = EarthFixed<Pair<f64>>;
+}
+
+/// `N` runs in flight: in frame `F` over a pack, with window `W`.
+#[derive(Clone, Copy)]
+pub struct Abreast<F: Packed<N>, W: Window, const N: usize> {
+    lanes: Strapdown<F, W>,
+    one: Strapdown<F::Alone, W>,
+    /// Where the runs stand while `joined` holds.
+    together: State<F, W>,
+    /// Where they stand while it does not.
+    apart: [State<F::Alone, W>; N],
+    joined: bool,
+}
+
+impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, W, N> {
+    /// Starts every run from its initial solution, with a sampling interval in seconds and series of
+    /// the given order.
+    pub fn start(
+        interval_s: Pair<f64>,
+        order: usize,
+        initial: &[Solution<f64>; N],
+    ) -> Result<Self, StartError> {
+        let one = Strapdown::new(interval_s)?.with_order(order);
+        let [first, ..] = initial.as_slice() else { return Err(StartError::Position) };
+        let mut apart = [one.start(first)?; N];
+        for (state, initial) in apart.iter_mut().zip(initial) {
+            *state = one.start(initial)?;
+        }
+        let same = |x: Pair<f64>| Pair { hi: P::of(x.hi), lo: P::of(x.lo) };
+        let lanes = Strapdown::new(same(interval_s))?.with_order(order);
+        let together = lanes.start(&Solution {
+            position: first.position.map(same),
+            velocity_ned: first.velocity_ned.map(same),
+            attitude: first.attitude.map(same),
+        })?;
+        Ok(Self { lanes, one, together, apart, joined: false })
+    }
+
+    /// Takes samples, each of every run; stops before one that is wrong in any lane and says how many
+    /// were taken.
+    pub fn push(&mut self, samples: &[Increment<P>]) -> Result<(), Refused> {
+        let mut taken = 0;
+        while !self.joined {
+            let Some(sample) = samples.get(taken) else { return Ok(()) };
+            self.push_apart(sample).map_err(|reason| Refused { taken, reason })?;
+            taken += 1;
+        }
+        let rest = samples.get(taken..).unwrap_or(&[]);
+        let push = Push { strapdown: &self.lanes, state: &mut self.together, samples: rest };
+        P::compiled(push).map_err(|refused| Refused { taken: taken + refused.taken, ..refused })
+    }
+
+    /// Takes a sample in each run alone; joins the runs when their first block is behind them.
+    fn push_apart(&mut self, sample: &Increment<P>) -> Result<(), Rejected> {
+        let samples = unpack(sample);
+        let mut apart = self.apart;
+        for (state, sample) in apart.iter_mut().zip(samples) {
+            self.one.push(state, sample)?;
+        }
+        self.apart = apart;
+        if self.integrated() > 0 {
+            join(&mut self.together, &mut self.apart);
+            self.joined = true;
+        }
+        Ok(())
+    }
+
+    /// Integrates what is pending: the streams are at their end.
+    pub fn finish(&mut self) {
+        self.apart = self.states();
+        self.joined = false;
+        for state in &mut self.apart {
+            self.one.finish(state);
+        }
+    }
+
+    /// Samples of each run that were integrated so far.
+    pub fn integrated(&self) -> u64 {
+        if self.joined {
+            self.together.integrated()
+        } else {
+            self.apart.first().map_or(0, State::integrated)
+        }
+    }
+
+    /// Navigation of every run at the end of the last block.
+    pub fn output(&self) -> [<F::Alone as Frame>::Output; N] {
+        self.states().map(|state| state.output())
+    }
+
+    /// Every run's state.
+    fn states(&self) -> [State<F::Alone, W>; N] {
+        let mut states = self.apart;
+        if self.joined {
+            split(&mut { self.together }, &mut states);
+        }
+        states
+    }
+}
+
+/// A sample that some lane could not take. The state is that after the samples before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refused {
+    /// Samples of this call that were taken.
+    pub taken: usize,
+    /// Why the next one was not.
+    pub reason: Rejected,
+}
+
+impl std::fmt::Display for Refused {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "after {} samples: {}", self.taken, self.reason)
+    }
+}
+
+impl std::error::Error for Refused {}
+
+/// Samples to push.
+struct Push<'a, F: Frame, W: Window> {
+    strapdown: &'a Strapdown<F, W>,
+    state: &'a mut State<F, W>,
+    samples: &'a [Increment<F::Real>],
+}
+
+impl<F: Frame, W: Window> Task for Push<'_, F, W> {
+    type Output = Result<(), Refused>;
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        for (taken, &sample) in self.samples.iter().enumerate() {
+            let pushed = self.strapdown.push(self.state, sample);
+            pushed.map_err(|reason| Refused { taken, reason })?;
+        }
+        Ok(())
+    }
+}
+
+/// Whose a field of lanes is: every count is of all runs, and lanes follow one another.
+struct Turns(usize);
+
+impl Turns {
+    fn whose<const N: usize>(&mut self, name: &str) -> Range<usize> {
+        if name != LANE {
+            return 0..N;
+        }
+        let run = self.0 % N;
+        self.0 += 1;
+        run..run + 1
+    }
+}
+
+/// States of single runs into lanes.
+fn join<const N: usize>(together: &mut impl Record, apart: &mut [impl Record; N]) {
+    let mut runs = apart.each_mut().map(|state| words(state).into_iter());
+    let mut turns = Turns(0);
+    together.record("", &mut |name, word| {
+        let whose = &mut runs[turns.whose::<N>(name)];
+        whose.iter_mut().filter_map(Iterator::next).last().unwrap_or(word)
+    });
+}
+
+/// Lanes into states of single runs.
+fn split<const N: usize>(together: &mut impl Record, apart: &mut [impl Record; N]) {
+    let mut runs: [Vec<u64>; N] = array::from_fn(|_| Vec::new());
+    let mut turns = Turns(0);
+    together.record("", &mut |name, word| {
+        runs[turns.whose::<N>(name)].iter_mut().for_each(|run| run.push(word));
+        word
+    });
+    for (state, words) in apart.iter_mut().zip(runs) {
+        let mut words = words.into_iter();
+        state.record("", &mut |_, word| words.next().unwrap_or(word));
+    }
+}
+
+/// Every field of a state.
+fn words(state: &mut impl Record) -> Vec<u64> {
+    let mut words = Vec::new();
+    state.record("", &mut |_, word| {
+        words.push(word);
+        word
+    });
+    words
+}
+
+/// The samples of all runs as one.
+#[inline]
+pub fn pack<P: Lanes<N>, const N: usize>(samples: &[Increment<f64>; N]) -> Increment<P> {
+    let join = |part: fn(&Increment<f64>) -> Vector<f64>| {
+        let parts = samples.each_ref().map(part);
+        Vector {
+            x: P::from_lanes(parts.map(|v| v.x)),
+            y: P::from_lanes(parts.map(|v| v.y)),
+            z: P::from_lanes(parts.map(|v| v.z)),
+        }
+    };
+    Increment { angle_b: join(|s| s.angle_b), velocity_b: join(|s| s.velocity_b) }
+}
+
+/// The sample of every run.
+fn unpack<P: Lanes<N>, const N: usize>(sample: &Increment<P>) -> [Increment<f64>; N] {
+    array::from_fn(|run| Increment {
+        angle_b: sample.angle_b.map(|x| x.lanes()[run]),
+        velocity_b: sample.velocity_b.map(|x| x.lanes()[run]),
+    })
+}

@@ -7,6 +7,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// Two numbers side by side.
 pub trait Twin<R>: Number + core::fmt::Debug {
+    /// Whether they share a register of a large processor, which long code does not hurt.
+    const IN_REGISTER: bool;
+
     /// From the two.
     fn new(a: R, b: R) -> Self;
     /// The two.
@@ -41,6 +44,8 @@ pub trait Twin<R>: Number + core::fmt::Debug {
 pub struct Both<R>(pub R, pub R);
 
 impl<R: Real + core::fmt::Debug> Twin<R> for Both<R> {
+    const IN_REGISTER: bool = false;
+
     #[inline(always)]
     fn new(a: R, b: R) -> Self {
         Self(a, b)
@@ -105,6 +110,8 @@ pub type SingleTwin = Both<f32>;
 macro_rules! in_register {
     ($twin:ty, $real:ty $(, $rest:literal)*) => {
         impl Twin<$real> for $twin {
+            const IN_REGISTER: bool = true;
+
             #[inline(always)]
             fn new(a: $real, b: $real) -> Self {
                 Self::new([a, b $(, $rest)*])

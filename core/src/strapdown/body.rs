@@ -141,8 +141,10 @@ pub struct Series<R: Real, const N: usize> {
     curved: Term<R>,
 }
 
-/// Products of orders up to this one are written out; more take a loop.
+/// Products of orders up to this one are written out wherever they are; more take a loop.
 const FEW: usize = 3;
+/// Coefficients of the fit whose series large processors have written out whole: that of fast motion.
+const EIGHT: usize = 8;
 
 /// A loop over these numbers, written out: what it indexes need not be in memory.
 macro_rules! written_out {
@@ -162,7 +164,15 @@ impl<R: Real, const N: usize> Series<R, N> {
     fn solve<const K: usize>(fit: &Fit<R, K>, order: usize) -> Self {
         const { assert!(N % 2 == 1 && N > K + 1 && K + 1 >= FEW) };
         // Apart, so that the few are never in memory.
-        if order <= FEW { Self::few(fit) } else { Self::many(fit, order) }
+        if order <= FEW {
+            Self::few(fit)
+        } else if R::Twin::IN_REGISTER && K == EIGHT && order + 1 >= N {
+            Self::written_out::<K, true>(fit)
+        } else if R::Twin::IN_REGISTER && K == EIGHT && order == K + 1 {
+            Self::written_out::<K, false>(fit)
+        } else {
+            Self::many(fit, order)
+        }
     }
 
     #[inline(always)]
@@ -176,6 +186,18 @@ impl<R: Real, const N: usize> Series<R, N> {
         written_out!(n in [3 4 5 6 7 8 9 10 11 12 13 14] if n <= K => series.advance(n, 0, fit, &rate));
         written_out!(n in [7 6 5 4 3 2 1 0] if 2 * n <= K => series.sum_two(n));
         series.last = K + 1;
+        series
+    }
+
+    /// To the order that the window has terms for at most, or to that of its fit.
+    #[inline(always)]
+    fn written_out<const K: usize, const LONGEST: bool>(fit: &Fit<R, K>) -> Self {
+        let rate = fit.rate.map(|w| w.map(R::Twin::both));
+        let order = if LONGEST { N - 1 } else { K + 1 };
+        let mut series = Self::begun();
+        written_out!(n in [0 1 2 3 4 5 6 7 8 9] if n < order => series.advance(n, n, fit, &rate));
+        written_out!(n in [4 3 2 1 0] if n < order.div_ceil(2) => series.sum_two(n));
+        series.last = order;
         series
     }
 

@@ -43,8 +43,13 @@ pub trait Navigate: Send {
     fn integrated(&self) -> u64;
     /// Digest of every state so far.
     fn digest(&self) -> u64;
-    /// Flies samples from the start again without reading a row: what a stage costs.
-    fn fly_unread(&self, samples: &[Increment<f64>]) -> Box<dyn FnMut() + '_>;
+    /// Flies samples from the start again, after those `before`, without reading a row: what a stage
+    /// costs. Only what comes after `before` is flown each time that it is called.
+    fn fly_unread(
+        &self,
+        before: &[Increment<f64>],
+        samples: &[Increment<f64>],
+    ) -> Box<dyn FnMut() + '_>;
 }
 
 /// One of the core's mechanizations with its state.
@@ -156,11 +161,20 @@ where
         self.digest.value()
     }
 
-    fn fly_unread(&self, samples: &[Increment<f64>]) -> Box<dyn FnMut() + '_> {
-        let samples = narrow(samples, &mut Carried::default());
+    fn fly_unread(
+        &self,
+        before: &[Increment<f64>],
+        samples: &[Increment<f64>],
+    ) -> Box<dyn FnMut() + '_> {
+        let mut carried = Carried::default();
+        let (before, samples) = (narrow(before, &mut carried), narrow(samples, &mut carried));
+        // What cannot be right was refused in the run itself.
+        let start = self.mechanization.start(&self.initial).map(|mut state| {
+            let _ = fly(&self.mechanization, &mut state, &before);
+            state
+        });
         Box::new(move || {
-            if let Ok(mut state) = self.mechanization.start(&self.initial) {
-                // What cannot be right was refused in the run itself.
+            if let Ok(mut state) = start {
                 let _ = fly(&self.mechanization, &mut state, &samples);
                 std::hint::black_box(&state);
             }

@@ -49,7 +49,7 @@ pub fn emulator(source: &Source, samples: &[Increment<f64>]) -> f64 {
 
 /// Navigation at block ends, no row read.
 pub fn navigation(navigator: &dyn Navigate, samples: &[Increment<f64>]) -> f64 {
-    per_sample(samples.len() as u64, &mut navigator.fly_unread(samples))
+    per_sample(samples.len() as u64, &mut navigator.fly_unread(&[], samples))
 }
 
 /// Nanoseconds per sample of a pass over so many.

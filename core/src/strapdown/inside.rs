@@ -2,7 +2,8 @@
 //!
 //! Even and odd powers are summed apart, so that one evaluation serves σ and −σ.
 
-use super::body::{BodyMotion, Series, Term};
+use super::body::BodyMotion;
+use super::series::{Series, Term};
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
 use crate::math::vector::Vector;

@@ -16,6 +16,7 @@ pub mod navigator;
 pub mod plan;
 pub mod rk4;
 mod rows;
+pub mod series;
 mod stored;
 pub mod textbook;
 mod two_float;

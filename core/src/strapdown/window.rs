@@ -4,10 +4,11 @@
 //! look-ahead, which delay the output. Wider windows follow faster motion; a straight line or a
 //! parabola over a long block is the cheapest for slow motion.
 
-use super::body::{BodyMotion, Series, Sum, integrate};
+use super::body::{BodyMotion, Sum, integrate};
 use super::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
 use super::inside::BlockSeries;
 use super::least_squares::least_squares;
+use super::series::Series;
 use crate::math::real::Real;
 use crate::sample::Increment;
 

@@ -34,8 +34,8 @@ pub trait Group: Send {
     fn solutions(&self) -> Vec<Solution<f64>>;
     /// Samples so far in which a sensor was at its limit, over all runs.
     fn saturated(&self) -> u64;
-    /// What navigation alone costs, ns per sample and run, over such samples from here on.
-    fn navigation_ns(&mut self, perfect: &[Increment<f64>]) -> f64;
+    /// What navigation alone costs, ns per sample and run, over perfect increments after those `before`.
+    fn navigation_ns(&mut self, before: &[Increment<f64>], perfect: &[Increment<f64>]) -> f64;
 }
 
 /// What runs are flown in.
@@ -80,8 +80,8 @@ impl<'a> Ground<'a> {
         Self { scene, source, plan, initial }
     }
 
-    /// The fastest unit for so many runs that this machine has and that the window is compiled for.
-    pub fn fastest(&self, runs: u64) -> Unit {
+    /// The widest unit that so many runs fill, this machine has and the window is compiled for.
+    pub fn widest(&self, runs: u64) -> Unit {
         let starts = |&unit: &Unit| {
             unit.runs() as u64 <= runs && matches!(self.start(unit, 0..1), Ok(Some(_)))
         };
@@ -225,11 +225,12 @@ where
         self.streams.iter().map(Samples::saturated).sum()
     }
 
-    fn navigation_ns(&mut self, perfect: &[Increment<f64>]) -> f64 {
+    fn navigation_ns(&mut self, before: &[Increment<f64>], perfect: &[Increment<f64>]) -> f64 {
+        // What cannot be right was refused in the flight itself.
+        let _ = self.fly(before);
         self.measure(perfect);
         timing::per_sample((perfect.len() * N) as u64, &mut || {
             let mut abreast = self.abreast;
-            // What cannot be right was refused in the flight itself.
             let _ = abreast.push(&self.measured);
             std::hint::black_box(&abreast);
         })
@@ -242,9 +243,15 @@ struct Alone<'a> {
     stream: Samples<'a>,
 }
 
+impl Alone<'_> {
+    fn measure(&mut self, perfect: &[Increment<f64>]) -> Vec<Increment<f64>> {
+        perfect.iter().map(|perfect| self.stream.sense(perfect)).collect()
+    }
+}
+
 impl Group for Alone<'_> {
     fn fly(&mut self, perfect: &[Increment<f64>]) -> Result<(), Refused> {
-        let measured: Vec<_> = perfect.iter().map(|perfect| self.stream.sense(perfect)).collect();
+        let measured = self.measure(perfect);
         self.navigator.fly(&measured)
     }
 
@@ -264,8 +271,9 @@ impl Group for Alone<'_> {
         self.stream.saturated()
     }
 
-    fn navigation_ns(&mut self, perfect: &[Increment<f64>]) -> f64 {
-        let measured: Vec<_> = perfect.iter().map(|perfect| self.stream.sense(perfect)).collect();
-        timing::navigation(self.navigator.as_ref(), &measured)
+    fn navigation_ns(&mut self, before: &[Increment<f64>], perfect: &[Increment<f64>]) -> f64 {
+        let (before, measured) = (self.measure(before), self.measure(perfect));
+        let mut pass = self.navigator.fly_unread(&before, &measured);
+        timing::per_sample(measured.len() as u64, &mut pass)
     }
 }

@@ -39,7 +39,7 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let source = Source::new(&scene, false)?;
     let mut theory = Theory::new(&scene).map_err(SourceError::Trajectory)?;
     let ground = Ground::new(&scene, &source);
-    let unit = ground.fastest(args.runs);
+    let unit = ground.widest(args.runs);
     // A scene that cannot start, or a file that cannot be written, is found before the long work.
     ground.start(Unit::Alone, 0..1)?;
     let file = OutputFile::create(directory.join("ensemble.csv"))?;

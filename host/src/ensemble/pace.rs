@@ -6,7 +6,7 @@ use crate::timing;
 
 /// Samples of a pass, at most: those of eight runs stay in the second cache.
 const SAMPLES: u64 = 640;
-/// Samples flown before: a flight's first block costs more, and once only.
+/// Samples flown before, of a flight that has as many again: its first block costs more, and once only.
 const BEFORE: u64 = 64;
 /// How often abreast and alone take turns.
 const TURNS: usize = 15;
@@ -22,9 +22,7 @@ pub fn navigation_ns(ground: &Ground, unit: Unit) -> Result<[f64; 2], Unavailabl
     for turn in 0..TURNS {
         for (ns, unit) in turns.iter_mut().zip([unit, Unit::Alone]) {
             if let Some(mut group) = ground.start(unit, 0..unit.runs() as u64)? {
-                // What cannot be right was refused in the flight itself.
-                let _ = group.fly(before);
-                ns[turn] = group.navigation_ns(timed);
+                ns[turn] = group.navigation_ns(before, timed);
             }
         }
     }

@@ -24,7 +24,7 @@ pub fn time(
     let mut flights: Vec<Box<dyn FnMut() + '_>> = crafts
         .iter()
         .map(|craft| match craft {
-            Craft::Increments(navigator) => navigator.fly_unread(&increments),
+            Craft::Increments(navigator) => navigator.fly_unread(&[], &increments),
             Craft::Rates(navigator) => navigator.fly_unread(&rates),
         })
         .collect();

@@ -1,7 +1,7 @@
 //! Runs in flight side by side, whole blocks at a time.
 //!
-//! The first and the last blocks of a stream are flown by each run alone: their code is rare and large.
-//! In between the states stand in lanes, joined and split along the list of fields that storage and
+//! The first and the last blocks of a stream are flown by each run alone: their code is rare, and out of
+//! line, where lanes are slow. In between the states stand in lanes, joined and split along the list of fields that storage and
 //! digests walk.
 
 use super::pack::{LANE, Lanes, Task};

@@ -33,7 +33,7 @@ impl Registers {
         }
     }
 
-    /// Whether this processor has them.
+    /// Whether this processor has them: all the features that `x86` compiles for.
     pub fn are_there(self) -> bool {
         #[cfg(target_arch = "x86_64")]
         return match self {

@@ -24,6 +24,6 @@ pub trait Lanes<const N: usize>: Real + Record + Send + Sealed {
 pub trait Task {
     /// What comes of it.
     type Output;
-    /// Does it; must be inlined, with all that it calls.
+    /// Does it; must be inlined, with all that is to use the registers.
     fn run(self) -> Self::Output;
 }

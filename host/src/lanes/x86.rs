@@ -69,7 +69,8 @@ macro_rules! register {
                 fn here<T: Task>(task: T) -> T::Output {
                     task.run()
                 }
-                // SAFETY: it needs these features and nothing else, and `in_registers` asked for them.
+                // SAFETY: it needs these features and nothing else, and `in_registers` asked for them all
+                // (`Registers::are_there`).
                 unsafe { here(task) }
             }
         }

@@ -3,10 +3,11 @@
 //! Their windows are rare: the fit is made at run time, and the series is the longest for all.
 
 use super::super::block_time::BlockTime;
-use super::super::body::{self, BodyMotion, Series, Sum};
+use super::super::body::{self, BodyMotion, Sum};
 use super::super::fit::{Fit, MOST_SAMPLES};
 use super::super::frame::Frame;
 use super::super::rows::Read;
+use super::super::series::Series;
 use super::super::window::{LINE_LAST_SAMPLES, Window};
 use super::{State, Strapdown};
 use crate::math::real::Real;

@@ -48,7 +48,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// All there are, the fastest first.
+    /// All there are, the widest first.
     pub const ALL: &[Self] = &[Self::In(Registers::Avx512), Self::In(Registers::Avx2), Self::Alone];
 
     /// How many runs it takes side by side.

@@ -1,8 +1,8 @@
 //! Runs in flight side by side, whole blocks at a time.
 //!
 //! The first and the last blocks of a stream are flown by each run alone: their code is rare, and out of
-//! line, where lanes are slow. In between the states stand in lanes, joined and split along the list of fields that storage and
-//! digests walk.
+//! line, where lanes are slow. In between the states stand in lanes, joined and split along the list of
+//! fields that storage and digests walk.
 
 use super::pack::{LANE, Lanes, Task};
 use schuler::math::compensated::Pair;

@@ -1,11 +1,13 @@
 //! The command line: commands, their options, and what they do to a scene.
 
 mod audit;
+mod every;
 mod hil;
 mod options;
 mod start;
 
 pub use audit::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+pub use every::{Every, Sieve};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, NavigatorOptions, Window};
 

@@ -3,7 +3,7 @@
 use crate::cli::EmulateArgs;
 use crate::output::say;
 use crate::progress::Progress;
-use crate::recording::csv::ImuWriter;
+use crate::recording::writer::ImuWriter;
 use crate::simulate::FlightError;
 use crate::source::Source;
 

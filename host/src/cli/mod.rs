@@ -162,9 +162,15 @@ pub struct ReplayArgs {
     /// End at this time of the recording
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::time_s)]
     pub until: Option<f64>,
+    /// Samples per second, instead of what the time stamps say
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true, value_parser = options::rate_hz)]
+    pub rate: Option<f64>,
     /// What missing samples do
     #[arg(long, value_name = "G", value_parser = options::named(Gap::NAMES))]
     pub gap: Option<Gap>,
+    /// Write every N-th row, or a row each S seconds (10s, 0.5s), and the last [default: every row]
+    #[arg(long, value_name = "N|S", value_parser = Every::parse)]
+    pub every: Option<Every>,
     /// How to navigate.
     #[command(flatten)]
     pub navigator: NavigatorOptions,

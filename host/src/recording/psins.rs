@@ -7,7 +7,8 @@
 //!
 //! Axes are right, forward, up. The n-th sample ends n intervals after the start.
 
-use super::{Recording, Sample, navigation::NavigationRow};
+use super::navigation::NavigationRow;
+use super::rows::{Lines, Unread};
 use crate::input::{Complaint, InputError, Range};
 use crate::scene::limits::ALTITUDE_M;
 use crate::units::{ARCSECOND, DEGREE};
@@ -55,50 +56,94 @@ const SAMPLE: Columns = [
     ("dvel_up", COUNTS),
 ];
 
-/// A recording from a file's text; `file` names it in errors.
-pub fn parse(file: &str, text: &str) -> Result<Recording, InputError> {
-    let mut lines = text
-        .lines()
-        .zip(1u64..)
-        .filter(|(line, _)| !line.trim_start().starts_with('%') && !line.trim().is_empty());
-    let mut settings = |columns: &Columns| {
-        let (line, number) = lines.next().ok_or_else(|| {
-            let names = columns.map(|(name, _)| name).join(" ");
-            InputError::file(file, Complaint::new("ends within its settings", names))
-        })?;
-        numbers(file, number, line, columns)
+/// What stands before the counts, as far as the counts need it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Settings {
+    start_s: f64,
+    interval_ms: f64,
+    /// The sample interval, s.
+    pub(super) interval_s: f64,
+    /// rad per count, right, forward, up.
+    angle: [f64; 3],
+    /// µg·s per count.
+    velocity: [f64; 3],
+    /// m/s².
+    micro_g: f64,
+}
+
+/// The settings, and the state that they start from. `filled` says whether there is a first line.
+pub(super) fn settings(
+    name: &str,
+    lines: &mut Lines,
+    mut filled: bool,
+) -> Result<(Settings, NavigationRow), InputError> {
+    let mut read = false;
+    let mut next = |columns: &Columns| {
+        while filled && (read || lines.text().starts_with(b"%")) {
+            filled = lines.next_filled()?;
+            read = false;
+        }
+        if !filled {
+            let names = columns.each_ref().map(|(name, _)| *name).join(" ");
+            return Err(InputError::file(name, Complaint::new("ends within its settings", names)));
+        }
+        read = true;
+        numbers(name, lines.number, lines.text(), columns)
     };
-    let [pitch, roll, yaw, east, north, up] = settings(&ATTITUDE_AND_VELOCITY)?;
-    let [latitude, longitude, altitude, start_s, interval_ms, g] = settings(&POSITION_AND_TIME)?;
-    let [gx, gy, gz, ax, ay, az] = settings(&SCALES)?;
+    let [pitch, roll, yaw, east, north, up] = next(&ATTITUDE_AND_VELOCITY)?;
+    let [latitude, longitude, altitude, start_s, interval_ms, g] = next(&POSITION_AND_TIME)?;
+    let [gx, gy, gz, ax, ay, az] = next(&SCALES)?;
 
     let position =
         Geodetic { latitude: latitude * DEGREE, longitude: longitude * DEGREE, altitude };
     let attitude = Euler { roll: roll * DEGREE, pitch: pitch * DEGREE, yaw: -yaw * DEGREE };
     let velocity_ned = Vector::new(north, east, -up);
     let initial = NavigationRow { time_s: start_s, position, velocity_ned, attitude };
-    let interval_s = interval_ms / 1000.0;
-    let micro_g = 1e-6 * g;
+    let settings = Settings {
+        start_s,
+        interval_ms,
+        interval_s: interval_ms / 1000.0,
+        angle: [gx, gy, gz],
+        velocity: [ax, ay, az],
+        micro_g: 1e-6 * g,
+    };
+    Ok((settings, initial))
+}
 
-    let mut samples = Vec::new();
-    for (line, number) in lines {
-        let [tx, ty, tz, vx, vy, vz] = numbers(file, number, line, &SAMPLE)?;
+impl Settings {
+    /// The n-th row, from 1.
+    pub(super) fn row(
+        &self,
+        name: &str,
+        line: u64,
+        n: u64,
+        text: &[u8],
+        whole: bool,
+    ) -> Result<(f64, Increment<f64>), Unread> {
+        // One division, so that round times come out round.
+        let time_s = self.start_s + n as f64 * self.interval_ms / 1000.0;
+        if !whole {
+            return Ok((time_s, Increment::ZERO));
+        }
+        let counts = numbers(name, line, text, &SAMPLE);
+        let [tx, ty, tz, vx, vy, vz] =
+            counts.map_err(|error| Unread { stamp: Some(time_s), error })?;
+        let ([gx, gy, gz], [ax, ay, az]) = (self.angle, self.velocity);
         let increment = Increment {
             angle_b: forward_right_down([tx * gx, ty * gy, tz * gz]) * ARCSECOND,
-            velocity_b: forward_right_down([vx * ax, vy * ay, vz * az]) * micro_g,
+            velocity_b: forward_right_down([vx * ax, vy * ay, vz * az]) * self.micro_g,
         };
-        // One division, so that round times come out round.
-        let time_s = start_s + (samples.len() + 1) as f64 * interval_ms / 1000.0;
-        samples.push(Sample { time_s, line: number, increment });
+        Ok((time_s, increment))
     }
-    Recording::new(file, samples, Some(interval_s), Some(initial))
 }
 
 fn forward_right_down([right, forward, up]: [f64; 3]) -> Vector<f64> {
     Vector::new(forward, right, -up)
 }
 
-fn numbers(file: &str, number: u64, line: &str, columns: &Columns) -> Result<[f64; 6], InputError> {
+fn numbers(file: &str, number: u64, line: &[u8], columns: &Columns) -> Result<[f64; 6], InputError> {
+    let line = std::str::from_utf8(line)
+        .map_err(|_| InputError::line(file, number, Complaint::new("is not text", "UTF-8")))?;
     let mut values = [0.0; 6];
     let mut fields = line.split_ascii_whitespace();
     for (value, (name, range)) in values.iter_mut().zip(columns) {

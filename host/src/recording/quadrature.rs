@@ -1,52 +1,127 @@
 //! Increments from instantaneous rates that stand at the samples' ends.
 //!
-//! A sample's increment is the integral of the cubic through the rates at four neighbouring
-//! instants: two before and two after, or the nearest four at either end of an unbroken stretch,
-//! where the very first sample, whose start has no rate, is extrapolated. With even steps h that is
-//! h/24·(−f₋₂ + 13f₋₁ + 13f₀ − f₁); its error is 11/720·h⁵f⁗ per sample (19/720 for the second and
-//! the last sample, 251/720 for the first). A stretch of fewer rates uses the polynomial through them.
+//! A sample's increment is the integral of the cubic through the rates at four neighbouring instants: two
+//! before and two after, or the nearest four at the end of a stretch. With even steps h that is
+//! h/24·(−f₋₂ + 13f₋₁ + 13f₀ − f₁); its error is 11/720·h⁵f⁗ per sample (19/720 for the second and the last
+//! sample). A stretch of fewer rates uses the polynomial through them.
+//!
+//! The first sample of a stretch starts where no rate is known: it is extrapolated from the one to four
+//! rates that promise the least error by the measure of [`support`](schuler::strapdown::support), gain ·
+//! rms(∇ᵏf)/√C(2k, k). Smooth rates get a cubic (251/720·h⁵f⁗), noise the first rate alone: a cubic would
+//! make six times as much of it.
 
-use super::{Sample, stretches};
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
+use schuler::strapdown::support::Differences;
+use std::collections::VecDeque;
 
 /// Instants that a polynomial goes through.
 const POINTS: usize = 4;
+/// Rates that the choice of the first sample's polynomial looks at.
+const AHEAD: usize = 12;
+/// √Σw² of the weights that integrate the sample before 1, 2, 3, 4 even rates.
+const GAINS: [f64; POINTS] = [1.0, 1.581_138_830_1, 2.371_356_854_9, 3.719_823_024_7];
 
-/// Turns samples that hold rates (rad/s, m/s² in place of rad, m/s) into increments.
-pub fn integrate(samples: &mut [Sample], interval_s: f64) {
-    let rates = samples.to_vec();
-    let mut rest = samples;
-    for stretch in stretches(&rates, interval_s) {
-        let (head, tail) = rest.split_at_mut(stretch.len());
-        rest = tail;
-        let points = POINTS.min(stretch.len());
-        for (i, sample) in head.iter_mut().enumerate() {
-            let from_s = match i {
-                0 => sample.time_s - interval_s,
-                _ => stretch[i - 1].time_s,
-            };
-            let first = i.saturating_sub(POINTS / 2).min(stretch.len() - points);
-            sample.increment = integral(&stretch[first..first + points], from_s, sample.time_s);
+/// Rates at an instant.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    time_s: f64,
+    rates: Increment<f64>,
+}
+
+/// Rates of a stretch on their way to increments. Each carries something along.
+#[derive(Debug)]
+pub struct Quadrature<T> {
+    nodes: VecDeque<Node>,
+    /// What goes with the nodes that have no increment yet: those at the end.
+    waiting: VecDeque<T>,
+    first_interval_s: f64,
+    begun: bool,
+    ended: bool,
+}
+
+impl<T> Quadrature<T> {
+    /// Of a stretch whose first sample has this length, s.
+    pub fn new(first_interval_s: f64) -> Self {
+        Self {
+            nodes: VecDeque::new(),
+            waiting: VecDeque::new(),
+            first_interval_s,
+            begun: false,
+            ended: false,
         }
+    }
+
+    /// Takes the rates at an instant, s.
+    pub fn push(&mut self, time_s: f64, rates: Increment<f64>, with: T) {
+        self.nodes.push_back(Node { time_s, rates });
+        self.waiting.push_back(with);
+    }
+
+    /// No more rates come.
+    pub fn end(&mut self) {
+        self.ended = true;
+    }
+
+    /// The next increment, as soon as the rates around it are there.
+    pub fn pop(&mut self) -> Option<(Increment<f64>, T)> {
+        let needed = if self.begun { 2 } else { AHEAD };
+        if self.waiting.is_empty() || (!self.ended && self.waiting.len() < needed) {
+            return None;
+        }
+        let nodes = self.nodes.make_contiguous();
+        let at = nodes.len() - self.waiting.len();
+        let increment = if self.begun {
+            let points = POINTS.min(nodes.len());
+            let first = at.saturating_sub(POINTS / 2).min(nodes.len() - points);
+            integral(&nodes[first..first + points], nodes[at - 1].time_s, nodes[at].time_s)
+        } else {
+            let points = supported(nodes);
+            let to_s = nodes[0].time_s;
+            integral(&nodes[..points], to_s - self.first_interval_s, to_s)
+        };
+        self.begun = true;
+        // The next one may need this and two before.
+        while self.nodes.len() > self.waiting.len() + 2 {
+            self.nodes.pop_front();
+        }
+        Some((increment, self.waiting.pop_front()?))
     }
 }
 
-/// The integral of the polynomial through some samples' rates.
-fn integral(rates: &[Sample], from_s: f64, to_s: f64) -> Increment<f64> {
+/// How many of the first rates the sample before them is extrapolated from.
+fn supported(nodes: &[Node]) -> usize {
+    let mut differences = Differences::new();
+    for node in nodes.iter().take(AHEAD) {
+        differences.add(&node.rates);
+    }
+    let most = POINTS.min(nodes.len());
+    // Without a rate beyond them, points are all that is known.
+    let error = |points: usize| -> Option<f64> {
+        let reference = differences.power(0)?;
+        let power = differences.power(points)?;
+        let parts = power.iter().zip(reference).filter(|(_, reference)| *reference > 0.0);
+        Some(GAINS[points - 1].powi(2) * parts.map(|(power, reference)| power / reference).sum::<f64>())
+    };
+    let errors = (1..=most).filter_map(|points| Some((error(points)?, points)));
+    errors.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(most, |(_, points)| points)
+}
+
+/// The integral of the polynomial through some rates.
+fn integral(nodes: &[Node], from_s: f64, to_s: f64) -> Increment<f64> {
     // Gauss-Legendre with two nodes, ±1/√3, is exact for a cubic.
     let (centre, half) = (0.5 * (from_s + to_s), 0.5 * (to_s - from_s));
     let offset = half / 3f64.sqrt();
     let mut sum = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
-    for (j, rate) in rates.iter().enumerate() {
+    for (j, node) in nodes.iter().enumerate() {
         // Lagrange: ℓⱼ(t) = Π (t − tₖ)/(tⱼ − tₖ)
         let basis = |t: f64| -> f64 {
-            let others = rates.iter().enumerate().filter(|(k, _)| *k != j);
-            others.map(|(_, other)| (t - other.time_s) / (rate.time_s - other.time_s)).product()
+            let others = nodes.iter().enumerate().filter(|(k, _)| *k != j);
+            others.map(|(_, other)| (t - other.time_s) / (node.time_s - other.time_s)).product()
         };
         let weight = half * (basis(centre - offset) + basis(centre + offset));
-        sum.angle_b = sum.angle_b + rate.increment.angle_b * weight;
-        sum.velocity_b = sum.velocity_b + rate.increment.velocity_b * weight;
+        sum.angle_b = sum.angle_b + node.rates.angle_b * weight;
+        sum.velocity_b = sum.velocity_b + node.rates.velocity_b * weight;
     }
     sum
 }

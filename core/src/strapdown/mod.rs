@@ -1,5 +1,6 @@
 //! Strapdown mechanization: increments in, position, velocity and attitude out.
 
+mod abscissae;
 pub mod block_time;
 pub mod body;
 mod displacement;
@@ -20,4 +21,5 @@ pub mod series;
 mod stored;
 pub mod textbook;
 mod two_float;
+pub mod unequal;
 pub mod window;

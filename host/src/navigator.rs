@@ -22,6 +22,7 @@ use schuler::strapdown::plan::Shape;
 use schuler::strapdown::textbook::{
     EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
 };
+use schuler::strapdown::unequal::{Unequal, UnequalIntervals};
 use schuler::strapdown::window::*;
 
 /// Who reads rows: how many samples lie behind the row, and the navigation there.
@@ -31,6 +32,13 @@ pub type Reader<'a> = dyn FnMut(u64, &Solution<f64>) + 'a;
 pub trait Navigate: Send {
     /// Takes a sample, and reads the rows that it completes.
     fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected>;
+    /// Takes a sample of an interval of its own in seconds, and reads the rows that it completes.
+    fn push_over(
+        &mut self,
+        sample: &Increment<f64>,
+        interval_s: f64,
+        read: &mut Reader,
+    ) -> Result<(), Rejected>;
     /// Takes samples without reading a row; stops before one that is refused.
     fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), Refused>;
     /// Navigation at the end of the last block.
@@ -55,21 +63,38 @@ pub trait Navigate: Send {
 /// One of the core's mechanizations with its state.
 struct Flying<M: Mechanization> {
     mechanization: M,
+    /// The nominal interval, s.
+    interval_s: Pair<M::Real>,
     initial: Solution<M::Real>,
     state: M::State,
     carried: Carried,
+    /// What the intervals handed over lack of those taken in, s.
+    interval_rest: f64,
     digest: Digest,
 }
 
 impl<M> Flying<M>
 where
-    M: Mechanization<Real: Scalar + Send, Frame: Record, State: Send> + Send + 'static,
+    M: UnequalIntervals<Real: Scalar + Send, Frame: Record, State: Send> + Send + 'static,
 {
-    fn boxed(mechanization: M, initial: &Solution<f64>) -> Result<Box<dyn Navigate>, StartError> {
+    fn boxed(
+        mechanization: M,
+        interval_s: Pair<M::Real>,
+        initial: &Solution<f64>,
+    ) -> Result<Box<dyn Navigate>, StartError> {
         let initial = Solution::narrow(initial);
         let state = mechanization.start(&initial)?;
         let (carried, digest) = Default::default();
-        Ok(Box::new(Self { mechanization, initial, state, carried, digest }))
+        let interval_rest = 0.0;
+        Ok(Box::new(Self {
+            mechanization,
+            interval_s,
+            initial,
+            state,
+            carried,
+            interval_rest,
+            digest,
+        }))
     }
 }
 
@@ -92,6 +117,18 @@ pub fn push<M: Mechanization<Real: Scalar>>(
     read: &mut Reader,
 ) -> Result<(), Rejected> {
     mechanization.push_rows(state, sample, wide(read))
+}
+
+/// Takes a sample of its own interval, and reads the rows that it completes.
+#[inline(never)]
+fn push_over<M: UnequalIntervals<Real: Scalar>>(
+    mechanization: &M,
+    state: &mut M::State,
+    sample: Increment<M::Real>,
+    interval_s: Pair<M::Real>,
+    read: &mut Reader,
+) -> Result<(), Rejected> {
+    mechanization.push_rows_over(state, sample, interval_s, wide(read))
 }
 
 /// Completes the rows that wait for samples, and reads them.
@@ -120,7 +157,7 @@ fn fly<M: Mechanization>(
 
 impl<M> Navigate for Flying<M>
 where
-    M: Mechanization<Real: Scalar + Send, Frame: Record, State: Send> + Send + 'static,
+    M: UnequalIntervals<Real: Scalar + Send, Frame: Record, State: Send> + Send + 'static,
 {
     fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected> {
         let mut carried = self.carried;
@@ -128,6 +165,31 @@ where
         let before = M::integrated(&self.state);
         push(&self.mechanization, &mut self.state, sample, read)?;
         self.carried = carried;
+        if M::integrated(&self.state) != before {
+            self.digest.add(M::frame(&self.state));
+        }
+        Ok(())
+    }
+
+    fn push_over(
+        &mut self,
+        sample: &Increment<f64>,
+        interval_s: f64,
+        read: &mut Reader,
+    ) -> Result<(), Rejected> {
+        let nominal = self.interval_s;
+        if interval_s == nominal.widen() || Pair::narrow(Pair::new(interval_s)) == nominal {
+            return self.push(sample, read);
+        }
+        let mut carried = self.carried;
+        let sample = carried.narrow(sample);
+        let exact = Pair::sum(interval_s, self.interval_rest);
+        let interval = Pair::<M::Real>::narrow(exact);
+        let narrowed = interval.widen_pair();
+        let before = M::integrated(&self.state);
+        push_over(&self.mechanization, &mut self.state, sample, interval, read)?;
+        self.carried = carried;
+        self.interval_rest = (exact.hi - narrowed.hi) + (exact.lo - narrowed.lo);
         if M::integrated(&self.state) != before {
             self.digest.add(M::frame(&self.state));
         }
@@ -241,8 +303,8 @@ macro_rules! starter {
             F: schuler::strapdown::frame::Frame<Real: Scalar + Send> + Record + Send + 'static,
         {
             $(if shape == $window::SHAPE.into() {
-                let strapdown = Strapdown::<F, $window>::new(interval_s)?.with_order(order);
-                return Ok(Flying::boxed(strapdown, initial)?);
+                let strapdown = Strapdown::<F, Unequal<$window>>::new(interval_s)?.with_order(order);
+                return Ok(Flying::boxed(strapdown, interval_s, initial)?);
             })+
             Err(Unavailable::Window { shape, of: $of, accepted: $shapes })
         }
@@ -270,5 +332,5 @@ pub(crate) fn textbook<F>(
 where
     F: TextbookFrame<Real: Scalar + Send> + Record + Send + 'static,
 {
-    Ok(Flying::boxed(Textbook::<F>::new(interval_s)?, initial)?)
+    Ok(Flying::boxed(Textbook::<F>::new(interval_s)?, Pair::new(interval_s), initial)?)
 }

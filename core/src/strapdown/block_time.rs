@@ -33,7 +33,11 @@ pub struct BlockTime<R> {
 impl<R: Real> BlockTime<R> {
     /// Of a number of samples at an interval in seconds.
     pub fn new(interval_s: Pair<R>, samples: usize) -> Self {
-        let time = interval_s * Pair::new(R::count(samples as u32));
+        Self::lasting(interval_s * Pair::new(R::count(samples as u32)))
+    }
+
+    /// Of a duration in seconds.
+    pub fn lasting(time: Pair<R>) -> Self {
         let gravity = Pair::of(EQUATORIAL_GRAVITY) * time;
         let turn = Pair::of(ROTATION_RATE) * time;
         let (turn_sine, turn_cosine_less_one) = small_turn(turn.hi);

@@ -6,7 +6,7 @@
 
 use super::block_time::{BlockTime, small_turn};
 use super::body::BodyMotion;
-use super::frame::{Beginning, Frame, check_earth_fixed};
+use super::frame::{Beginning, Frame, check_earth_fixed, stretched};
 use super::gravitation::Latitude;
 use super::mechanization::Rejected;
 use crate::earth::ROTATION_RATE;
@@ -110,6 +110,12 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
             self.third_difference = self.second_difference - before;
         }
         self.latitude.change = R::ZERO;
+    }
+
+    fn stretch(&mut self, factor: R) {
+        [self.difference, self.second_difference, self.third_difference] =
+            stretched(factor, self.difference, self.second_difference, self.third_difference);
+        self.latitude.change = self.latitude.change * factor;
     }
 
     #[inline(always)]

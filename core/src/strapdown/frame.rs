@@ -23,6 +23,8 @@ pub trait Frame: Copy {
     fn start(initial: &Solution<Self::Real>) -> Self;
     /// Sets up the gravity history: at the start, and whenever a block's duration changes.
     fn seed(&mut self, time: &BlockTime<Self::Real>, body: &BodyMotion<Self::Real>);
+    /// Brings the gravity history to blocks that are longer by a factor.
+    fn stretch(&mut self, factor: Self::Real);
     /// Steps over a block.
     fn step(&mut self, time: &BlockTime<Self::Real>, body: &BodyMotion<Self::Real>) -> Self::Step;
     /// The state at a fraction τ of the block that `step` crossed; `self` is the state before it and
@@ -60,6 +62,26 @@ impl<R: Real> Beginning<R> {
         let rise = (mean - value) * inverse;
         Self { value, rate: rise + rise }
     }
+}
+
+/// Backward differences ∇, ∇² and ∇³ for steps that are ρ times as long.
+#[inline(never)]
+pub(super) fn stretched<R: Real>(
+    rho: R,
+    nabla: Vector<R>,
+    nabla2: Vector<R>,
+    nabla3: Vector<R>,
+) -> [Vector<R>; 3] {
+    // Of p(s) = G₀ + s∇ + s(s + 1)/2 ∇² + s(s + 1)(s + 2)/6 ∇³ at 0, −ρ, −2ρ and −3ρ:
+    // ∇ ← ρ(∇ + (1 − ρ)/2 (∇² + (2 − ρ)/3 ∇³)),  ∇² ← ρ²(∇² + (1 − ρ)∇³),  ∇³ ← ρ³∇³
+    let less = R::ONE - rho;
+    let beyond = nabla2 + nabla3 * ((R::TWO - rho) * R::of(1.0 / 3.0));
+    let square = rho * rho;
+    [
+        (nabla + beyond * (less * R::HALF)) * rho,
+        (nabla2 + nabla3 * less) * square,
+        nabla3 * (square * rho),
+    ]
 }
 
 /// Height above and below the ellipsoid, m, up to which navigation starts and goes on.

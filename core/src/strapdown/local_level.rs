@@ -12,7 +12,7 @@ pub use within::LocalLevelStep;
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::displacement::displacement;
-use super::frame::{Frame, check_local};
+use super::frame::{Frame, check_local, stretched};
 use super::mechanization::Rejected;
 use super::meridian::{Meridian, curvature};
 use super::two_float::{self, Attitude, Place};
@@ -108,6 +108,11 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
 
     fn seed(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) {
         self.seed_gravity(time, body);
+    }
+
+    fn stretch(&mut self, factor: R) {
+        [self.difference, self.second_difference, self.third_difference] =
+            stretched(factor, self.difference, self.second_difference, self.third_difference);
     }
 
     #[inline(always)]

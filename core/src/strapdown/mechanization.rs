@@ -86,6 +86,8 @@ pub enum Rejected {
     Place,
     /// A height or a vertical velocity to hold that is not finite, above 1000 km or above 10⁵ m/s.
     Held,
+    /// An interval that is not finite, not above 0 s or above 1 s.
+    Interval,
 }
 
 /// The largest angle that a block may turn by about one axis, rad: the series of a step are cut short,
@@ -103,6 +105,7 @@ impl core::fmt::Display for Rejected {
                  check signs and units of the samples, or hold the vertical"
             }
             Self::Held => "the vertical to hold must be finite, within 1000 km and 100 km/s",
+            Self::Interval => "the sample's interval must be above 0 s and at most 1 s",
         })
     }
 }
@@ -175,24 +178,54 @@ impl<R: Real> Default for Limits<R> {
 pub(super) struct Gate<R> {
     most_angle: R,
     most_velocity: R,
+    /// What a sample of any interval may turn by, rad.
+    most_turn: R,
+    limits: Limits<R>,
+}
+
+/// Whether a number is positive, finite and neither vanishing nor huge.
+#[inline]
+fn is_positive<R: Real>(x: R) -> bool {
+    x.is_within(R::of(1e30)) & !R::any(x.less(R::of(1e-30)))
+}
+
+/// Whether an interval can be one of a sample: above 0 s and at most 1 s.
+#[inline]
+fn is_interval<R: Real>(interval_s: R) -> bool {
+    is_positive(interval_s) & interval_s.is_within(R::ONE)
 }
 
 impl<R: Real> Gate<R> {
     /// For samples of an interval in seconds, so many to a block.
     pub fn new(interval_s: R, limits: Limits<R>, block: usize) -> Result<Self, StartError> {
-        let positive = |x: R| x.is_within(R::of(1e30)) & !R::any(x.less(R::of(1e-30)));
-        if !positive(interval_s) || !interval_s.is_within(R::ONE) {
+        if !is_interval(interval_s) {
             return Err(StartError::Interval);
         }
-        if !positive(limits.angular_rate) || !positive(limits.specific_force) {
+        if !is_positive(limits.angular_rate) || !is_positive(limits.specific_force) {
             return Err(StartError::Limits);
         }
-        let most_angle = limits.angular_rate * interval_s;
         let most_turn = R::of(MOST_TURN) / R::count(block as u32);
-        Ok(Self {
+        Ok(Self::of(interval_s, limits, most_turn))
+    }
+
+    fn of(interval_s: R, limits: Limits<R>, most_turn: R) -> Self {
+        let most_angle = limits.angular_rate * interval_s;
+        Self {
             most_angle: R::select(most_turn.less(most_angle), most_turn, most_angle),
             most_velocity: limits.specific_force * interval_s,
-        })
+            most_turn,
+            limits,
+        }
+    }
+
+    /// Whether a sample of an interval of its own can be right.
+    #[inline]
+    pub fn admit_over(&self, sample: &Increment<R>, interval_s: R) -> Result<(), Rejected> {
+        if is_interval(interval_s) {
+            Self::of(interval_s, self.limits, self.most_turn).admit(sample)
+        } else {
+            Err(Rejected::Interval)
+        }
     }
 
     /// Whether a sample can be right.

@@ -1,5 +1,6 @@
 //! Strapdown mechanization: increments in, position, velocity and attitude out.
 
+mod abscissae;
 pub mod block_time;
 pub mod body;
 mod displacement;
@@ -22,4 +23,5 @@ mod stored;
 pub mod support;
 pub mod textbook;
 mod two_float;
+pub mod unequal;
 pub mod window;

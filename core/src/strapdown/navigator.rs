@@ -5,6 +5,7 @@
 
 mod edges;
 mod mechanization;
+mod unequal;
 
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
@@ -12,6 +13,7 @@ use super::frame::Frame;
 use super::inside::{BlockSeries, Mirror};
 use super::mechanization::{Gate, Limits, Rejected, StartError, admit_start};
 use super::rows::{Blocks, Every, Read, Unread};
+use super::unequal::Intervals as _;
 use super::window::Window;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
@@ -43,6 +45,7 @@ pub struct State<F: Frame, W: Window> {
     pub(super) integrated: u64,
     /// Samples of the block that the gravity history belongs to; 0 before the first.
     pub(super) seeded: usize,
+    pub(super) intervals: W::Intervals<F::Real>,
 }
 
 impl<F: Frame, W: Window> State<F, W> {
@@ -92,13 +95,15 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             pending: 0,
             integrated: 0,
             seeded: 0,
+            intervals: W::Intervals::nominal(),
         })
     }
 
     /// Takes a sample; the state moves on whenever a block is complete.
     #[inline(always)]
     pub fn push(&self, state: &mut State<F, W>, sample: Increment<R>) -> Result<(), Rejected> {
-        self.take(state, sample, &mut Unread)
+        self.gate.admit(&sample)?;
+        self.take(state, sample, R::ZERO, &mut Unread)
     }
 
     /// Takes a sample and reads every row that it completes: the number of samples up to the row, and
@@ -110,7 +115,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         sample: Increment<R>,
         read: impl FnMut(u64, F::Output),
     ) -> Result<(), Rejected> {
-        self.take(state, sample, &mut Every(read))
+        self.gate.admit(&sample)?;
+        self.take(state, sample, R::ZERO, &mut Every(read))
     }
 
     /// Takes a sample and shows every block that it completes, step by step: the number of samples at
@@ -121,7 +127,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         sample: Increment<R>,
         see: impl FnMut(u64, &BodyMotion<R>, &F),
     ) -> Result<(), Rejected> {
-        self.take(state, sample, &mut Blocks(see))
+        self.gate.admit(&sample)?;
+        self.take(state, sample, R::ZERO, &mut Blocks(see))
     }
 
     /// Integrates what is pending: the stream is at its end. More samples may follow all the same.
@@ -151,14 +158,14 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         &self,
         state: &mut State<F, W>,
         sample: Increment<R>,
+        excess: R,
         read: &mut impl Read<F>,
     ) -> Result<(), Rejected> {
-        self.gate.admit(&sample)?;
         // The first sample after a block is refused where the block led astray, and then every other.
         if state.pending <= W::LOOKAHEAD {
             state.frame.check_place()?;
         }
-        self.store(state, sample);
+        self.store(state, sample, excess);
         let past = state.filled - state.pending;
         if past < W::HISTORY {
             if state.filled < W::FIRST {
@@ -167,25 +174,36 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             self.edge_block(state, past, W::BLOCK, W::FIRST, read);
         }
         while state.pending >= W::BLOCK + W::LOOKAHEAD {
-            self.whole_block(state, read);
+            if self.is_nominal(state, W::HISTORY, W::SAMPLES) {
+                self.whole_block(state, read);
+            } else {
+                self.unequal_block(state, W::SHAPE, false, read);
+            }
         }
         Ok(())
     }
 
     /// Stores a sample, dropping the oldest ones a block at a time.
     #[inline(always)]
-    fn store(&self, state: &mut State<F, W>, sample: Increment<R>) {
+    fn store(&self, state: &mut State<F, W>, sample: Increment<R>, excess: R) {
         let samples = state.samples.as_mut();
+        let kept = state.intervals.excess_mut();
         if state.filled >= samples.len() {
             // After an early `finish`, more than a block's length may still be pending.
             let drop = W::BLOCK.min(state.filled - state.pending);
             for from in drop..samples.len() {
                 samples[from - drop] = samples[from];
             }
+            if drop <= kept.len() {
+                kept.copy_within(drop.., 0);
+            }
             state.filled = samples.len() - drop;
         }
         if let Some(slot) = samples.get_mut(state.filled) {
             *slot = sample;
+            if let Some(slot) = kept.get_mut(state.filled) {
+                *slot = excess;
+            }
             state.filled += 1;
             state.pending += 1;
         }
@@ -198,22 +216,29 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         if let Some((body, series)) =
             W::integrate::<R>(window, self.block.half, self.order, F::TWO_FLOAT)
         {
-            self.step::<false, _>(state, &self.block, W::BLOCK, &body, &series, read);
+            self.step::<false, _>(state, &self.block, &[], W::BLOCK, &body, &series, read);
         }
     }
 
-    /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads.
+    /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads. `excess`
+    /// is what its samples' intervals exceed the nominal one by, if any does.
     #[inline(always)]
     fn step<const EDGE: bool, Q: Read<F>>(
         &self,
         state: &mut State<F, W>,
         time: &BlockTime<R>,
+        excess: &[R],
         block: usize,
         body: &BodyMotion<R>,
         series: &impl BlockSeries<R>,
         read: &mut Q,
     ) {
-        if state.seeded != block {
+        let uneven = !excess.is_empty();
+        if W::UNEQUAL && (uneven || R::any(R::ZERO.less(state.intervals.history_s()))) {
+            self.adapt_history(state, time, body);
+            state.intervals.set_history(if uneven { time.time.hi } else { R::ZERO });
+            state.seeded = block;
+        } else if state.seeded != block {
             state.frame.seed(time, body);
             state.seeded = block;
         }
@@ -226,9 +251,19 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         if Q::EVERY_ROW {
             let part = R::ONE / R::count(block as u32);
             let mut mirror = Mirror::new();
+            let mut elapsed = R::ZERO;
             for row in 1..block {
-                let fraction = R::count(row as u32) * part;
-                let inside = series.until_row(row, block, time.half, &mut mirror);
+                let (inside, fraction) = match excess.get(row - 1) {
+                    None => (
+                        series.until_row(row, block, time.half, &mut mirror),
+                        R::count(row as u32) * part,
+                    ),
+                    Some(&excess) => {
+                        elapsed = elapsed + (self.interval.hi + excess);
+                        let fraction = elapsed / time.time.hi;
+                        (series.until(fraction + fraction - R::ONE, time.half), fraction)
+                    }
+                };
                 let output = before.within(&step, time, &inside, fraction);
                 read.row(state.integrated + row as u64, output);
             }

@@ -5,6 +5,7 @@ use super::frame::Frame;
 use super::navigator::State;
 use super::textbook::body::Compensated;
 use super::textbook::{TextbookFrame, TextbookState};
+use super::unequal::Intervals as _;
 use super::window::Window;
 use crate::math::real::Real;
 use crate::record::{Record, record};
@@ -32,6 +33,7 @@ impl<F: Frame<Real: Record> + Record, W: Window> Record for State<F, W> {
         self.pending.record("pending", visit);
         self.integrated.record("integrated", visit);
         self.seeded.record("seeded", visit);
+        self.intervals.each(|name, number| number.record(name, visit));
     }
 }
 

@@ -9,6 +9,7 @@ use super::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
 use super::inside::BlockSeries;
 use super::least_squares::least_squares;
 use super::series::Series;
+use super::unequal::{Intervals, Kept, Nominal};
 use crate::math::real::Real;
 use crate::sample::Increment;
 
@@ -44,6 +45,12 @@ pub trait Window: Copy + Default + 'static {
     type Samples<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]>;
     /// The series of a block.
     type Series<R: Real>: BlockSeries<R>;
+    /// Whether samples may differ in length.
+    const UNEQUAL: bool = false;
+    /// How the samples' intervals are kept.
+    type Intervals<R: Real>: Intervals<R>;
+    /// The same with room for samples of any length.
+    type KeptIntervals<R: Real>: Intervals<R>;
 
     /// The room, filled.
     fn samples<T: Copy>(fill: T) -> Self::Samples<T>;
@@ -91,6 +98,8 @@ macro_rules! windows {
                 const TERMS: usize = $m;
                 type Samples<T: Copy> = [T; capacity($h, $b, $a)];
                 type Series<R: Real> = Series<R, { $m + 1 }>;
+                type Intervals<R: Real> = Nominal;
+                type KeptIntervals<R: Real> = Kept<R, [R; capacity($h, $b, $a)]>;
 
                 #[inline]
                 fn samples<T: Copy>(fill: T) -> Self::Samples<T> {

@@ -48,6 +48,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         all: usize,
         read: &mut impl Read<F>,
     ) {
+        if !self.is_nominal(state, history, all) {
+            let lookahead = all.saturating_sub(history + block);
+            return self.unequal_block(state, (history, block, lookahead), true, read);
+        }
         let is_first = history == 0 && block == W::BLOCK && all == W::FIRST;
         let begin = state.filled.saturating_sub(state.pending + history);
         let samples = state.samples;
@@ -58,7 +62,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let (fit, sum) = first.unwrap_or_else(|| Fit::of_any(window, history, block));
         let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::rounded(sum) };
         let (body, series) = integrate(&fit, &sum, time.half);
-        self.step::<true, _>(state, &time, block, &body, &series, read);
+        self.step::<true, _>(state, &time, &[], block, &body, &series, read);
     }
 
     /// The last blocks: the look-ahead that is missing goes to the history.

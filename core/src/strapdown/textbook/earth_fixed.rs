@@ -43,6 +43,10 @@ impl<R: Real> TextbookFrame for EarthFixedTextbook<R> {
         }
     }
 
+    fn stretch(&mut self, factor: R) {
+        self.velocity_change = self.velocity_change * factor;
+    }
+
     #[inline(always)]
     fn step(&mut self, h: R, body: &Compensated<R>) {
         let omega = R::of(ROTATION_RATE);

@@ -59,6 +59,12 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
         }
     }
 
+    fn stretch(&mut self, factor: R) {
+        self.velocity_change = self.velocity_change * factor;
+        self.latitude_change = self.latitude_change * factor;
+        self.altitude_change = self.altitude_change * factor;
+    }
+
     #[inline(always)]
     fn step(&mut self, h: R, body: &Compensated<R>) {
         // At the middle of the step, by what the last one changed.

@@ -16,6 +16,8 @@ use super::frame::Output;
 use super::mechanization::{
     Gate, Limits, Mechanization, Rejected, StartError, admit_held, admit_start,
 };
+use super::unequal::UnequalIntervals;
+use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Solution;
@@ -31,6 +33,8 @@ pub trait TextbookFrame: Copy {
 
     /// From an initial solution.
     fn start(initial: &Solution<Self::Real>) -> Self;
+    /// Makes the changes over the previous sample those over one longer by a factor.
+    fn stretch(&mut self, factor: Self::Real);
     /// Steps over one sample of `interval_s`.
     fn step(&mut self, interval_s: Self::Real, body: &Compensated<Self::Real>);
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
@@ -88,6 +92,72 @@ impl<F: TextbookFrame> Textbook<F> {
         state.previous = sample;
         state.integrated += 1;
         Ok(body)
+    }
+
+    /// The same with an interval of its own, s.
+    #[inline(never)]
+    fn step_over(
+        &self,
+        state: &mut TextbookState<F>,
+        sample: Increment<F::Real>,
+        interval_s: Pair<F::Real>,
+    ) -> Result<Compensated<F::Real>, Rejected> {
+        let interval_s = interval_s.hi + interval_s.lo;
+        if (interval_s - self.interval).is_within(F::Real::ZERO) {
+            return self.step(state, sample);
+        }
+        self.gate.admit_over(&sample, interval_s)?;
+        state.frame.check_place()?;
+        // What is kept of a sample is what it would be over the nominal interval.
+        let longer = interval_s / self.interval;
+        let shorter = self.interval / interval_s;
+        state.frame.stretch(longer);
+        let body = Compensated::of(&sample, &scaled(&state.previous, longer));
+        state.frame.step(interval_s, &body);
+        state.frame.stretch(shorter);
+        state.previous = scaled(&sample, shorter);
+        state.integrated += 1;
+        Ok(body)
+    }
+}
+
+/// A sample of steady motion over an interval longer by a factor.
+fn scaled<R: Real>(sample: &Increment<R>, factor: R) -> Increment<R> {
+    Increment { angle_b: sample.angle_b * factor, velocity_b: sample.velocity_b * factor }
+}
+
+impl<F: TextbookFrame> UnequalIntervals for Textbook<F> {
+    fn push_over(
+        &self,
+        state: &mut TextbookState<F>,
+        sample: Increment<F::Real>,
+        interval_s: Pair<F::Real>,
+    ) -> Result<(), Rejected> {
+        self.step_over(state, sample, interval_s).map(|_| ())
+    }
+
+    fn push_rows_over(
+        &self,
+        state: &mut TextbookState<F>,
+        sample: Increment<F::Real>,
+        interval_s: Pair<F::Real>,
+        mut read: impl FnMut(u64, F::Output),
+    ) -> Result<(), Rejected> {
+        self.step_over(state, sample, interval_s)?;
+        read(state.integrated, state.frame.output());
+        Ok(())
+    }
+
+    fn push_blocks_over(
+        &self,
+        state: &mut TextbookState<F>,
+        sample: Increment<F::Real>,
+        interval_s: Pair<F::Real>,
+        mut see: impl FnMut(u64, &Compensated<F::Real>, &F),
+    ) -> Result<(), Rejected> {
+        let body = self.step_over(state, sample, interval_s)?;
+        see(state.integrated, &body, &state.frame);
+        Ok(())
     }
 }
 

@@ -1,0 +1,194 @@
+//! Fit of a window whose samples differ in length, on their real abscissae.
+//!
+//! σ ∈ [−1, 1] spans the block of duration T, and sample j is [σⱼ, σⱼ₊₁], 2/T times its interval long.
+//! F(σ) = ∫ w dσ is known at the edges σⱼ, up to a constant: Newton's polynomial through them has
+//! w(σ) = F′(σ). Its divided differences begin with the samples' mean rates, so that nothing cancels
+//! where the rate is steady, and its nodes go from the block's middle outwards.
+
+use super::fit::{Fit, MOST_SAMPLES, each};
+use crate::math::real::Real;
+use crate::math::twin::Twin as _;
+use crate::math::vector::Vector;
+use crate::sample::Increment;
+
+/// Samples of intervals of their own about a block.
+#[derive(Clone, Copy)]
+pub struct Spaced<'a, R: Real> {
+    /// The window's samples.
+    pub samples: &'a [Increment<R>],
+    /// What their intervals exceed the nominal one by, s.
+    pub excess: &'a [R],
+    /// The nominal interval, s.
+    pub interval_s: R,
+    /// Samples before the block.
+    pub history: usize,
+    /// Samples of the block.
+    pub block: usize,
+    /// T/2, s.
+    pub half_time_s: R,
+}
+
+impl<'a, R: Real> Spaced<'a, R> {
+    /// The samples with their lengths in σ.
+    fn widths(self) -> impl Iterator<Item = (&'a Increment<R>, R)> {
+        let scale = R::ONE / self.half_time_s;
+        let width = move |&excess: &R| (self.interval_s + excess) * scale;
+        self.samples.iter().zip(self.excess.iter().map(width)).take(MOST_SPACED)
+    }
+
+    /// The block's own samples.
+    fn own(self) -> Self {
+        let own = self.history..self.history + self.block;
+        Self {
+            samples: self.samples.get(own.clone()).unwrap_or(&[]),
+            excess: self.excess.get(own).unwrap_or(&[]),
+            history: 0,
+            ..self
+        }
+    }
+
+    /// Whether no interval is over [`MOST_UNEVEN`] times another.
+    fn is_even(self) -> bool {
+        let (mut least, mut most) = (R::of(f32::MAX as f64), R::ZERO);
+        for (_, width) in self.widths() {
+            least = R::select(width.less(least), width, least);
+            most = R::select(most.less(width), width, most);
+        }
+        !R::any((least * R::of(MOST_UNEVEN)).less(most))
+    }
+
+    /// The polynomial through the samples; `near`, and where their lengths differ too much for that, the
+    /// block's own straight line or parabola by least squares.
+    #[inline(never)]
+    pub fn fit(self, near: Option<usize>) -> Fit<R, MOST_SAMPLES> {
+        match near {
+            Some(coefficients) => self.own().least_squares(coefficients),
+            None if self.is_even() => self.interpolate(),
+            None => self.own().least_squares(3),
+        }
+    }
+
+    /// The polynomial through them all.
+    fn interpolate(self) -> Fit<R, MOST_SAMPLES> {
+        let none = [R::Twin::both(R::ZERO); 3];
+        let mut edges = [R::ZERO; MOST_SAMPLES + 1];
+        let mut differences = [none; MOST_SAMPLES];
+        // The first edge, so that the block begins at −1; then F[σⱼ, σⱼ₊₁] = Δθⱼ/(σⱼ₊₁ − σⱼ).
+        let before = self.widths().take(self.history);
+        let mut edge = before.fold(-R::ONE, |edge, (_, width)| edge - width);
+        let mut count = 0;
+        for (((sample, width), at), mean) in self.widths().zip(&mut edges).zip(&mut differences) {
+            *at = edge;
+            let inverse = R::Twin::both(R::ONE / width);
+            *mean = sample.twins().map(|x| x * inverse);
+            edge = edge + width;
+            count += 1;
+        }
+        if let Some(last) = edges.get_mut(count) {
+            *last = edge;
+        }
+        let edge = |at: usize| edges.get(at).copied().unwrap_or(R::ZERO);
+
+        // F[σᵢ … σᵢ₊ₙ] = (F[σᵢ₊₁ … σᵢ₊ₙ] − F[σᵢ … σᵢ₊ₙ₋₁])/(σᵢ₊ₙ − σᵢ): of each order, that of the edges
+        // from `low` to `high`, which take in one more each time.
+        let mut newton = [(none, R::ZERO); MOST_SAMPLES];
+        let (mut low, mut high) = (self.history + self.block / 2, self.history + self.block / 2);
+        let mut node = edge(low);
+        for (n, term) in (1..=count).zip(&mut newton) {
+            if n > 1 {
+                for i in 0..=count - n {
+                    let inverse = R::Twin::both(R::ONE / (edge(i + n) - edge(i)));
+                    let next = differences.get(i + 1).copied().unwrap_or(none);
+                    if let Some(this) = differences.get_mut(i) {
+                        *this = each(next, *this, |next, this| (next - this) * inverse);
+                    }
+                }
+            }
+            let rightwards = high < count && (n % 2 == 1 || low == 0);
+            let added = if rightwards { high + 1 } else { low.saturating_sub(1) };
+            (low, high) = (low.min(added), high.max(added));
+            *term = (differences.get(low).copied().unwrap_or(none), node);
+            node = edge(added);
+        }
+
+        // F = (σ − x₁)(c₁ + (σ − x₂)(c₂ + …)): powers of σ from the innermost bracket outwards.
+        let mut powers = [none; MOST_SAMPLES + 1];
+        for (c, node) in newton.iter().take(count).rev() {
+            let node = R::Twin::both(*node);
+            if let Some(constant) = powers.first_mut() {
+                *constant = each(*constant, *c, |a, c| a + c);
+            }
+            let mut below = none;
+            for power in powers.iter_mut().take(count + 1) {
+                let this = *power;
+                *power = each(below, this, |below, this| below - this * node);
+                below = this;
+            }
+        }
+        let mut fit =
+            Fit { rate: [Vector::ZERO; MOST_SAMPLES], force: [Vector::ZERO; MOST_SAMPLES] };
+        let terms = fit.rate.iter_mut().zip(&mut fit.force);
+        for (k, ((rate, force), power)) in (1..).zip(terms.zip(powers.iter().skip(1))) {
+            let k = R::Twin::both(R::count(k));
+            let Increment { angle_b, velocity_b } = Increment::from_twins(power.map(|x| x * k));
+            (*rate, *force) = (angle_b, velocity_b);
+        }
+        fit
+    }
+
+    /// The straight line or parabola nearest to the samples, each weighted by 1/its length: it keeps
+    /// their sum.
+    fn least_squares(self, coefficients: usize) -> Fit<R, MOST_SAMPLES> {
+        // In 1, σ and σ² − ⅓, whose integrals over the sample from −δ/2 to δ/2 about m are δ, δm and
+        // δ(m² + δ²/12 − ⅓): the first is orthogonal to the others.
+        let third = R::of(1.0 / 3.0);
+        let none = [R::Twin::both(R::ZERO); 3];
+        let (mut sum, mut slope, mut bend) = (none, none, none);
+        let (mut g11, mut g12, mut g22) = (R::ZERO, R::ZERO, R::ZERO);
+        let mut edge = -R::ONE;
+        for (sample, width) in self.widths() {
+            let middle = edge + width * R::HALF;
+            let curve = middle * middle + width * width * R::of(1.0 / 12.0) - third;
+            g11 = g11 + width * middle * middle;
+            g12 = g12 + width * middle * curve;
+            g22 = g22 + width * curve * curve;
+            let (p, q) = (R::Twin::both(middle), R::Twin::both(curve));
+            sum = each(sum, sample.twins(), |sum, x| sum + x);
+            slope = each(slope, sample.twins(), |sum, x| sum + x * p);
+            bend = each(bend, sample.twins(), |sum, x| sum + x * q);
+            edge = edge + width;
+        }
+        // Of fewer samples than coefficients, the constant or the line through them.
+        let lines = self.samples.len().min(coefficients);
+        if lines < 3 {
+            (g12, g22, bend) = (R::ZERO, R::ONE, none);
+        }
+        if lines < 2 {
+            (g11, slope) = (R::ONE, none);
+        }
+        let inverse = R::ONE / (g11 * g22 - g12 * g12);
+        let solved = |a: R, x, b: R, y| {
+            let (a, b) = (R::Twin::both(a * inverse), R::Twin::both(b * inverse));
+            each(x, y, |x, y| x * a - y * b)
+        };
+        let (w1, w2) = (solved(g22, slope, g12, bend), solved(g11, bend, g12, slope));
+        let (half, third) = (R::Twin::both(R::HALF), R::Twin::both(third));
+        let w0 = each(sum, w2, |sum, w2| sum * half - w2 * third);
+        let mut fit =
+            Fit { rate: [Vector::ZERO; MOST_SAMPLES], force: [Vector::ZERO; MOST_SAMPLES] };
+        for (w, (rate, force)) in
+            [w0, w1, w2].into_iter().zip(fit.rate.iter_mut().zip(&mut fit.force))
+        {
+            let Increment { angle_b, velocity_b } = Increment::from_twins(w);
+            (*rate, *force) = (angle_b, velocity_b);
+        }
+        fit
+    }
+}
+
+/// Most samples of a block, and of a window.
+const MOST_SPACED: usize = 64;
+
+/// How many times as long as another sample of the window one may be where a polynomial goes through
+/// them all: beyond, what the short samples say is extrapolated far into the long one.
+const MOST_UNEVEN: f64 = 3.0;

@@ -1,0 +1,229 @@
+//! Blocks of samples that differ in length: rare, hence out of line, and linked only where asked for.
+
+use super::super::abscissae::Spaced;
+use super::super::block_time::BlockTime;
+use super::super::body::{self, BodyMotion, Sum};
+use super::super::fit::{Fit, MOST_SAMPLES};
+use super::super::frame::Frame;
+use super::super::mechanization::Rejected;
+use super::super::rows::{Blocks, Every, Read, Unread};
+use super::super::series::Series;
+use super::super::unequal::{Intervals as _, Unequal, UnequalIntervals};
+use super::super::window::Window;
+use super::{State, Strapdown};
+use crate::math::compensated::Pair;
+use crate::math::real::Real;
+use crate::sample::Increment;
+
+/// Terms of the series where the plan's order need not do.
+const MOST_TERMS: usize = 16;
+/// Samples before and after a block at an edge: no more, since they need not be even.
+const BESIDE_AT_EDGE: usize = 4;
+/// A block this many times as long as the nominal one is still of the plan's order.
+const PLANNED: f64 = 1.25;
+/// How much longer than the block before it a block may be that takes over its gravity history.
+const MOST_STRETCH: f64 = 2.0;
+
+/// Integrates a block: one code for all frames, windows and readers.
+#[inline(never)]
+fn integrate<R: Real>(
+    fit: &Fit<R, MOST_SAMPLES>,
+    sum: &Sum<R>,
+    half_time_s: R,
+    order: usize,
+) -> (BodyMotion<R>, Series<R, { MOST_TERMS + 1 }>) {
+    body::integrate(fit, sum, half_time_s, order)
+}
+
+/// The sum of a block's increments.
+fn sum<R: Real>(samples: &[Increment<R>], two_float: bool) -> Sum<R> {
+    if two_float {
+        return Sum::exact(samples);
+    }
+    let add = |sum: Increment<R>, sample: &Increment<R>| Increment {
+        angle_b: sum.angle_b + sample.angle_b,
+        velocity_b: sum.velocity_b + sample.velocity_b,
+    };
+    Sum::rounded(samples.iter().fold(Increment::ZERO, add))
+}
+
+impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
+    /// Whether the `all` samples from the `history`-th before the block on last the nominal interval.
+    #[inline(always)]
+    pub(super) fn is_nominal(&self, state: &State<F, W>, history: usize, all: usize) -> bool {
+        if !W::UNEQUAL {
+            return true;
+        }
+        let begin = state.filled.saturating_sub(state.pending + history);
+        let excess = state.intervals.excess().iter().skip(begin).take(all);
+        excess.fold(true, |nominal, x| nominal & x.is_within(R::ZERO))
+    }
+
+    /// A block of `block` samples with `history` before it and `lookahead` after it; `edge` at the first
+    /// and the last ones.
+    #[inline(never)]
+    pub(super) fn unequal_block(
+        &self,
+        state: &mut State<F, W>,
+        (history, block, lookahead): (usize, usize, usize),
+        edge: bool,
+        read: &mut impl Read<F>,
+    ) {
+        let most = if edge { BESIDE_AT_EDGE } else { MOST_SAMPLES };
+        let lookahead = lookahead.min(most);
+        let history = history.min(most - lookahead);
+        let begin = state.filled.saturating_sub(state.pending + history);
+        let (samples, intervals) = (state.samples, state.intervals);
+        let all = begin..begin + history + block + lookahead;
+        let own = begin + history..begin + history + block;
+        let own_excess = intervals.excess().get(own.clone()).unwrap_or(&[]);
+        let nominal = self.interval * Pair::new(R::count(block as u32));
+        let time = own_excess.iter().fold(nominal, |time, &excess| time + Pair::new(excess));
+        let time = BlockTime::lasting(time);
+        let spaced = Spaced {
+            samples: samples.as_ref().get(all.clone()).unwrap_or(&[]),
+            excess: intervals.excess().get(all).unwrap_or(&[]),
+            interval_s: self.interval.hi,
+            history,
+            block,
+            half_time_s: time.half,
+        };
+        let near = (!edge && W::COEFFICIENTS < W::SAMPLES).then_some(W::COEFFICIENTS);
+        let fit = spaced.fit(near);
+        let sum = sum(samples.as_ref().get(own).unwrap_or(&[]), F::TWO_FLOAT);
+        let planned = !edge & !R::any((nominal.hi * R::of(PLANNED)).less(time.time.hi));
+        let order = if planned { self.order } else { MOST_TERMS };
+        let (body, series) = integrate(&fit, &sum, time.half, order);
+        self.step::<true, _>(state, &time, own_excess, block, &body, &series, read);
+    }
+
+    /// Brings the gravity history to a block of this duration, or sets it up anew.
+    #[inline(never)]
+    pub(super) fn adapt_history(
+        &self,
+        state: &mut State<F, W>,
+        time: &BlockTime<R>,
+        body: &BodyMotion<R>,
+    ) {
+        let kept = state.intervals.history_s();
+        let counted = self.interval.hi * R::count(state.seeded as u32);
+        let known = R::ZERO.less(kept);
+        let before = R::select(known, kept, counted);
+        let most = before * R::of(MOST_STRETCH);
+        if R::any(most.less(time.time.hi)) {
+            state.frame.seed(time, body);
+        } else {
+            state.frame.stretch(time.time.hi / before);
+        }
+    }
+}
+
+impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
+    /// Takes a sample of its own interval in seconds, above 0 s and at most 1 s; the state moves on
+    /// whenever a block is complete. At the nominal interval it is `push`, bit for bit, and the two may
+    /// be mixed.
+    ///
+    /// ```
+    /// use schuler::math::compensated::Pair;
+    /// use schuler::sample::Increment;
+    /// use schuler::strapdown::local_level::LocalLevel;
+    /// use schuler::strapdown::navigator::Strapdown;
+    /// use schuler::strapdown::unequal::Unequal;
+    /// use schuler::strapdown::window::H2B4A2;
+    ///
+    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
+    /// # let initial = schuler::solution::Solution::default();
+    /// # let sample = Increment::ZERO;
+    /// // 100 Hz; a counter of microseconds has the interval of each sample.
+    /// let navigator = Strapdown::<LocalLevel<Pair<f32>>, Unequal<H2B4A2>>::new(Pair::of(0.01))?;
+    /// let mut state = navigator.start(&initial)?;
+    /// let microseconds = 10_013_u16;
+    /// let interval_s = Pair::new(microseconds.into()) * Pair::of(1e-6);
+    /// navigator.push_over(&mut state, sample, interval_s)?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[inline(always)]
+    pub fn push_over(
+        &self,
+        state: &mut State<F, Unequal<W>>,
+        sample: Increment<R>,
+        interval_s: Pair<R>,
+    ) -> Result<(), Rejected> {
+        self.take_over(state, sample, interval_s, &mut Unread)
+    }
+
+    /// The same, reading every row that the sample completes.
+    #[inline(always)]
+    pub fn push_rows_over(
+        &self,
+        state: &mut State<F, Unequal<W>>,
+        sample: Increment<R>,
+        interval_s: Pair<R>,
+        read: impl FnMut(u64, F::Output),
+    ) -> Result<(), Rejected> {
+        self.take_over(state, sample, interval_s, &mut Every(read))
+    }
+
+    /// The same, showing every block that it completes, step by step.
+    pub fn push_blocks_over(
+        &self,
+        state: &mut State<F, Unequal<W>>,
+        sample: Increment<R>,
+        interval_s: Pair<R>,
+        see: impl FnMut(u64, &BodyMotion<R>, &F),
+    ) -> Result<(), Rejected> {
+        self.take_over(state, sample, interval_s, &mut Blocks(see))
+    }
+
+    #[inline(always)]
+    fn take_over(
+        &self,
+        state: &mut State<F, Unequal<W>>,
+        sample: Increment<R>,
+        interval_s: Pair<R>,
+        read: &mut impl Read<F>,
+    ) -> Result<(), Rejected> {
+        self.gate.admit_over(&sample, interval_s.hi + interval_s.lo)?;
+        let excess = interval_s - self.interval;
+        let before = state.intervals;
+        let nominal = excess.hi.is_within(R::ZERO) & excess.lo.is_within(R::ZERO);
+        let excess = if nominal { R::ZERO } else { state.intervals.rounded(excess) };
+        let taken = self.take(state, sample, excess, read);
+        if taken.is_err() {
+            state.intervals = before;
+        }
+        taken
+    }
+}
+
+impl<F: Frame, W: Window> UnequalIntervals for Strapdown<F, Unequal<W>> {
+    #[inline]
+    fn push_over(
+        &self,
+        state: &mut State<F, Unequal<W>>,
+        sample: Increment<F::Real>,
+        interval_s: Pair<F::Real>,
+    ) -> Result<(), Rejected> {
+        Strapdown::push_over(self, state, sample, interval_s)
+    }
+    #[inline]
+    fn push_rows_over(
+        &self,
+        state: &mut State<F, Unequal<W>>,
+        sample: Increment<F::Real>,
+        interval_s: Pair<F::Real>,
+        read: impl FnMut(u64, F::Output),
+    ) -> Result<(), Rejected> {
+        Strapdown::push_rows_over(self, state, sample, interval_s, read)
+    }
+    fn push_blocks_over(
+        &self,
+        state: &mut State<F, Unequal<W>>,
+        sample: Increment<F::Real>,
+        interval_s: Pair<F::Real>,
+        see: impl FnMut(u64, &BodyMotion<F::Real>, &F),
+    ) -> Result<(), Rejected> {
+        Strapdown::push_blocks_over(self, state, sample, interval_s, see)
+    }
+}

@@ -89,7 +89,7 @@ impl<'a, R: Real> Spaced<'a, R> {
     pub fn fit(self, near: Option<usize>) -> Fit<R, MOST_SAMPLES> {
         match near {
             Some(coefficients) => self.own().least_squares(coefficients),
-            None if self.is_even() => self.interpolate(),
+            None if self.own().is_even() => self.interpolate(),
             None => self.own().least_squares(3),
         }
     }
@@ -138,6 +138,10 @@ impl<'a, R: Real> Spaced<'a, R> {
             node = edge(added);
         }
 
+        if let Some(newton) = newton.get_mut(..count) {
+            self.drop_unsupported(newton);
+        }
+
         // F = (σ − x₁)(c₁ + (σ − x₂)(c₂ + …)): powers of σ from the innermost bracket outwards.
         let mut powers = [none; MOST_SAMPLES + 1];
         for (c, node) in newton.iter().take(count).rev() {
@@ -154,6 +158,39 @@ impl<'a, R: Real> Spaced<'a, R> {
         }
         let rates = powers.iter().skip(1).zip(1..);
         fit_about(&mean, rates.map(|(power, k)| power.map(|x| x * R::Twin::both(R::count(k)))))
+    }
+
+    /// Drops the terms that samples beside the block add where they do not add less and less: the motion
+    /// is not resolved there, and its samples would throw the fit off as noise does.
+    fn drop_unsupported(self, newton: &mut [([R::Twin; 3], R)]) {
+        // The n-th term's share of the rate, cₙ d/dσ Π(σ − xᵢ), is cₙ Π_{i≠m}(xₘ − xᵢ) at its edge xₘ.
+        let mut before = [(R::ZERO, R::ZERO); 2];
+        let mut dropped = (false, false);
+        for n in 1..=newton.len() {
+            let (nodes, _) = newton.split_at(n);
+            let Some((c, _)) = nodes.last() else { return };
+            let Increment::<R> { angle_b, velocity_b } = Increment::from_twins(*c);
+            let mut steepest = R::ZERO;
+            for (m, (_, at)) in nodes.iter().enumerate().take(self.block + 1) {
+                let others = nodes.iter().enumerate().filter(|&(i, _)| i != m);
+                let slope = others.fold(R::ONE, |product, (_, (_, node))| product * (*at - *node));
+                let slope = slope * slope;
+                steepest = R::select(steepest.less(slope), slope, steepest);
+            }
+            let share = (angle_b.dot(angle_b) * steepest, velocity_b.dot(velocity_b) * steepest);
+            if n > self.block {
+                // Odd and even terms may differ in size.
+                let [last, last_but_one] = before;
+                dropped.0 |= R::any(last.0.less(share.0)) & R::any(last_but_one.0.less(share.0));
+                dropped.1 |= R::any(last.1.less(share.1)) & R::any(last_but_one.1.less(share.1));
+            }
+            before = [share, before[0]];
+            if let Some((c, _)) = newton.get_mut(n - 1) {
+                let angle_b = if dropped.0 { Vector::ZERO } else { angle_b };
+                let velocity_b = if dropped.1 { Vector::ZERO } else { velocity_b };
+                *c = Increment { angle_b, velocity_b }.twins();
+            }
+        }
     }
 
     /// The straight line or parabola nearest to the samples, each weighted by 1/its length: it keeps
@@ -218,6 +255,6 @@ fn fit_about<R: Real>(
 /// Most samples of a block, and of a window.
 const MOST_SPACED: usize = 64;
 
-/// How many times as long as another sample of the window one may be where a polynomial goes through
-/// them all: beyond, what the short samples say is extrapolated far into the long one.
-const MOST_UNEVEN: f64 = 3.0;
+/// How many times as long as another sample of the block one may be where a polynomial goes through them
+/// all: beyond, what the short samples say is extrapolated far into the long one.
+const MOST_UNEVEN: f64 = 8.0;

@@ -6,6 +6,7 @@
 //! where the rate is steady, and its nodes go from the block's middle outwards.
 
 use super::fit::{Fit, MOST_SAMPLES, each};
+use crate::math::compensated::{Pair, two_product};
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
 use crate::math::vector::Vector;
@@ -19,21 +20,46 @@ pub struct Spaced<'a, R: Real> {
     /// What their intervals exceed the nominal one by, s.
     pub excess: &'a [R],
     /// The nominal interval, s.
-    pub interval_s: R,
+    pub interval_s: Pair<R>,
     /// Samples before the block.
     pub history: usize,
     /// Samples of the block.
     pub block: usize,
-    /// T/2, s.
-    pub half_time_s: R,
+    /// T, s.
+    pub time_s: Pair<R>,
 }
 
 impl<'a, R: Real> Spaced<'a, R> {
-    /// The samples with their lengths in σ.
-    fn widths(self) -> impl Iterator<Item = (&'a Increment<R>, R)> {
-        let scale = R::ONE / self.half_time_s;
-        let width = move |&excess: &R| (self.interval_s + excess) * scale;
-        self.samples.iter().zip(self.excess.iter().map(width)).take(MOST_SPACED)
+    /// The samples' lengths in σ.
+    fn widths(self) -> impl Iterator<Item = Pair<R>> + use<'a, R> {
+        // 2/T
+        let scale = (self.time_s * Pair::new(R::HALF)).reciprocal();
+        let width = move |&excess: &R| (self.interval_s + Pair::new(excess)) * scale;
+        self.excess.iter().take(MOST_SPACED).map(width)
+    }
+
+    /// The mean rate over the block, and of each sample its length with what it is beyond that rate: of
+    /// steady motion next to nothing, which then has nothing to round.
+    fn varying(self) -> (Increment<R>, impl Iterator<Item = (R, [R::Twin; 3])> + use<'a, R>) {
+        let mut sum = Increment::ZERO;
+        for sample in self.samples.iter().skip(self.history).take(self.block) {
+            sum.angle_b = sum.angle_b + sample.angle_b;
+            sum.velocity_b = sum.velocity_b + sample.velocity_b;
+        }
+        let mean =
+            Increment { angle_b: sum.angle_b * R::HALF, velocity_b: sum.velocity_b * R::HALF };
+        let beyond = move |(width, sample): (Pair<R>, &Increment<R>)| {
+            let less = |x: R, mean: R| {
+                let (p, e) = two_product(width.hi, mean);
+                (x - p) - (e + width.lo * mean)
+            };
+            let varying = Increment {
+                angle_b: sample.angle_b.zip(mean.angle_b, less),
+                velocity_b: sample.velocity_b.zip(mean.velocity_b, less),
+            };
+            (width.hi, varying.twins())
+        };
+        (mean, self.widths().zip(self.samples).map(beyond))
     }
 
     /// The block's own samples.
@@ -50,7 +76,7 @@ impl<'a, R: Real> Spaced<'a, R> {
     /// Whether no interval is over [`MOST_UNEVEN`] times another.
     fn is_even(self) -> bool {
         let (mut least, mut most) = (R::of(f32::MAX as f64), R::ZERO);
-        for (_, width) in self.widths() {
+        for Pair { hi: width, .. } in self.widths() {
             least = R::select(width.less(least), width, least);
             most = R::select(most.less(width), width, most);
         }
@@ -63,7 +89,7 @@ impl<'a, R: Real> Spaced<'a, R> {
     pub fn fit(self, near: Option<usize>) -> Fit<R, MOST_SAMPLES> {
         match near {
             Some(coefficients) => self.own().least_squares(coefficients),
-            None if self.is_even() => self.interpolate(),
+            None if self.own().is_even() => self.interpolate(),
             None => self.own().least_squares(3),
         }
     }
@@ -74,13 +100,14 @@ impl<'a, R: Real> Spaced<'a, R> {
         let mut edges = [R::ZERO; MOST_SAMPLES + 1];
         let mut differences = [none; MOST_SAMPLES];
         // The first edge, so that the block begins at −1; then F[σⱼ, σⱼ₊₁] = Δθⱼ/(σⱼ₊₁ − σⱼ).
+        let (mean, varying) = self.varying();
         let before = self.widths().take(self.history);
-        let mut edge = before.fold(-R::ONE, |edge, (_, width)| edge - width);
+        let mut edge = before.fold(-R::ONE, |edge, width| edge - width.hi);
         let mut count = 0;
-        for (((sample, width), at), mean) in self.widths().zip(&mut edges).zip(&mut differences) {
+        for (((width, sample), at), rate) in varying.zip(&mut edges).zip(&mut differences) {
             *at = edge;
             let inverse = R::Twin::both(R::ONE / width);
-            *mean = sample.twins().map(|x| x * inverse);
+            *rate = sample.map(|x| x * inverse);
             edge = edge + width;
             count += 1;
         }
@@ -111,6 +138,10 @@ impl<'a, R: Real> Spaced<'a, R> {
             node = edge(added);
         }
 
+        if let Some(newton) = newton.get_mut(..count) {
+            self.drop_unsupported(newton);
+        }
+
         // F = (σ − x₁)(c₁ + (σ − x₂)(c₂ + …)): powers of σ from the innermost bracket outwards.
         let mut powers = [none; MOST_SAMPLES + 1];
         for (c, node) in newton.iter().take(count).rev() {
@@ -125,15 +156,41 @@ impl<'a, R: Real> Spaced<'a, R> {
                 below = this;
             }
         }
-        let mut fit =
-            Fit { rate: [Vector::ZERO; MOST_SAMPLES], force: [Vector::ZERO; MOST_SAMPLES] };
-        let terms = fit.rate.iter_mut().zip(&mut fit.force);
-        for (k, ((rate, force), power)) in (1..).zip(terms.zip(powers.iter().skip(1))) {
-            let k = R::Twin::both(R::count(k));
-            let Increment { angle_b, velocity_b } = Increment::from_twins(power.map(|x| x * k));
-            (*rate, *force) = (angle_b, velocity_b);
+        let rates = powers.iter().skip(1).zip(1..);
+        fit_about(&mean, rates.map(|(power, k)| power.map(|x| x * R::Twin::both(R::count(k)))))
+    }
+
+    /// Drops the terms that samples beside the block add where they do not add less and less: the motion
+    /// is not resolved there, and its samples would throw the fit off as noise does.
+    fn drop_unsupported(self, newton: &mut [([R::Twin; 3], R)]) {
+        // The n-th term's share of the rate, cₙ d/dσ Π(σ − xᵢ), is cₙ Π_{i≠m}(xₘ − xᵢ) at its edge xₘ.
+        let mut before = [(R::ZERO, R::ZERO); 2];
+        let mut dropped = (false, false);
+        for n in 1..=newton.len() {
+            let (nodes, _) = newton.split_at(n);
+            let Some((c, _)) = nodes.last() else { return };
+            let Increment::<R> { angle_b, velocity_b } = Increment::from_twins(*c);
+            let mut steepest = R::ZERO;
+            for (m, (_, at)) in nodes.iter().enumerate().take(self.block + 1) {
+                let others = nodes.iter().enumerate().filter(|&(i, _)| i != m);
+                let slope = others.fold(R::ONE, |product, (_, (_, node))| product * (*at - *node));
+                let slope = slope * slope;
+                steepest = R::select(steepest.less(slope), slope, steepest);
+            }
+            let share = (angle_b.dot(angle_b) * steepest, velocity_b.dot(velocity_b) * steepest);
+            if n > self.block {
+                // Odd and even terms may differ in size.
+                let [last, last_but_one] = before;
+                dropped.0 |= R::any(last.0.less(share.0)) & R::any(last_but_one.0.less(share.0));
+                dropped.1 |= R::any(last.1.less(share.1)) & R::any(last_but_one.1.less(share.1));
+            }
+            before = [share, before[0]];
+            if let Some((c, _)) = newton.get_mut(n - 1) {
+                let angle_b = if dropped.0 { Vector::ZERO } else { angle_b };
+                let velocity_b = if dropped.1 { Vector::ZERO } else { velocity_b };
+                *c = Increment { angle_b, velocity_b }.twins();
+            }
         }
-        fit
     }
 
     /// The straight line or parabola nearest to the samples, each weighted by 1/its length: it keeps
@@ -146,16 +203,17 @@ impl<'a, R: Real> Spaced<'a, R> {
         let (mut sum, mut slope, mut bend) = (none, none, none);
         let (mut g11, mut g12, mut g22) = (R::ZERO, R::ZERO, R::ZERO);
         let mut edge = -R::ONE;
-        for (sample, width) in self.widths() {
+        let (mean, varying) = self.varying();
+        for (width, sample) in varying {
             let middle = edge + width * R::HALF;
             let curve = middle * middle + width * width * R::of(1.0 / 12.0) - third;
             g11 = g11 + width * middle * middle;
             g12 = g12 + width * middle * curve;
             g22 = g22 + width * curve * curve;
             let (p, q) = (R::Twin::both(middle), R::Twin::both(curve));
-            sum = each(sum, sample.twins(), |sum, x| sum + x);
-            slope = each(slope, sample.twins(), |sum, x| sum + x * p);
-            bend = each(bend, sample.twins(), |sum, x| sum + x * q);
+            sum = each(sum, sample, |sum, x| sum + x);
+            slope = each(slope, sample, |sum, x| sum + x * p);
+            bend = each(bend, sample, |sum, x| sum + x * q);
             edge = edge + width;
         }
         // Of fewer samples than coefficients, the constant or the line through them.
@@ -174,21 +232,29 @@ impl<'a, R: Real> Spaced<'a, R> {
         let (w1, w2) = (solved(g22, slope, g12, bend), solved(g11, bend, g12, slope));
         let (half, third) = (R::Twin::both(R::HALF), R::Twin::both(third));
         let w0 = each(sum, w2, |sum, w2| sum * half - w2 * third);
-        let mut fit =
-            Fit { rate: [Vector::ZERO; MOST_SAMPLES], force: [Vector::ZERO; MOST_SAMPLES] };
-        for (w, (rate, force)) in
-            [w0, w1, w2].into_iter().zip(fit.rate.iter_mut().zip(&mut fit.force))
-        {
-            let Increment { angle_b, velocity_b } = Increment::from_twins(w);
-            (*rate, *force) = (angle_b, velocity_b);
-        }
-        fit
+        fit_about(&mean, [w0, w1, w2].into_iter())
     }
+}
+
+/// The fit of a mean rate and of coefficients beyond it.
+fn fit_about<R: Real>(
+    mean: &Increment<R>,
+    coefficients: impl Iterator<Item = [R::Twin; 3]>,
+) -> Fit<R, MOST_SAMPLES> {
+    let mut fit = Fit { rate: [Vector::ZERO; MOST_SAMPLES], force: [Vector::ZERO; MOST_SAMPLES] };
+    for (w, (rate, force)) in coefficients.zip(fit.rate.iter_mut().zip(&mut fit.force)) {
+        let Increment { angle_b, velocity_b } = Increment::from_twins(w);
+        (*rate, *force) = (angle_b, velocity_b);
+    }
+    let ([rate, ..], [force, ..]) = (&mut fit.rate, &mut fit.force);
+    *rate = *rate + mean.angle_b;
+    *force = *force + mean.velocity_b;
+    fit
 }
 
 /// Most samples of a block, and of a window.
 const MOST_SPACED: usize = 64;
 
-/// How many times as long as another sample of the window one may be where a polynomial goes through
-/// them all: beyond, what the short samples say is extrapolated far into the long one.
-const MOST_UNEVEN: f64 = 3.0;
+/// How many times as long as another sample of the block one may be where a polynomial goes through them
+/// all: beyond, what the short samples say is extrapolated far into the long one.
+const MOST_UNEVEN: f64 = 8.0;

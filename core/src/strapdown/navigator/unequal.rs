@@ -83,10 +83,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let spaced = Spaced {
             samples: samples.as_ref().get(all.clone()).unwrap_or(&[]),
             excess: intervals.excess().get(all).unwrap_or(&[]),
-            interval_s: self.interval.hi,
+            interval_s: self.interval,
             history,
             block,
-            half_time_s: time.half,
+            time_s: time.time,
         };
         let near = (!edge && W::COEFFICIENTS < W::SAMPLES).then_some(W::COEFFICIENTS);
         let fit = spaced.fit(near);

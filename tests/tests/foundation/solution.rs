@@ -6,7 +6,7 @@ use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::solution::{Euler, Solution};
 use schuler_tests::Numbers;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 
 /// Rows of C_nᵇ = Rx(γ)·Ry(θ)·Rz(ψ), written out.
 fn rows([roll, pitch, yaw]: [f64; 3]) -> [[f64; 3]; 3] {

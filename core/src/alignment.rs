@@ -71,10 +71,16 @@ impl<R: Scalar> Alignment<R> {
         let north = east.cross(down);
         // The rows of C_bⁿ are north, east and down in body axes.
         let cosine = (down.y * down.y + down.z * down.z).sqrt();
+        let roll = down.y.atan2(down.z);
+        // Without the roll the body's right axis is level, at ψ from east: ŷ = (0, cosγ, −sinγ) in the
+        // body's axes, (−sinψ, cosψ, 0) against north and east. So roll and yaw belong together, also
+        // where the unit stands upright and the roll is what rounding makes of it.
+        let (sine, cosine_roll) = roll.sin_cos();
         Ok(Euler {
-            roll: down.y.atan2(down.z),
+            roll,
             pitch: (-down.x).atan2(cosine),
-            yaw: east.x.atan2(north.x),
+            yaw: (north.z * sine - north.y * cosine_roll)
+                .atan2(east.y * cosine_roll - east.z * sine),
         })
     }
 }

@@ -24,6 +24,9 @@ pub struct Digest {
 /// Odd, with bits well spread: ⌊2⁶⁴/golden ratio⌋.
 const MULTIPLIER: u64 = 0x9e37_79b9_7f4a_7c15;
 
+/// Words that nobody counts beyond: a state of a hundred a nanosecond for years.
+const MOST_WORDS: u64 = 1 << 62;
+
 impl Default for Digest {
     fn default() -> Self {
         Self { lanes: [1, 2, 3, 4], words: 0 }
@@ -51,6 +54,13 @@ impl Digest {
     /// The digest of everything so far.
     pub fn value(&self) -> u64 {
         self.lanes.iter().fold(mix(0, self.words), |sum, &lane| mix(sum, lane))
+    }
+}
+
+impl Digest {
+    /// Whether it can be one: any lanes are, but not any number of words.
+    pub(crate) fn is_plausible(&self) -> bool {
+        self.words <= MOST_WORDS
     }
 }
 

@@ -1,6 +1,7 @@
 //! The perfect inertial unit: rates from the motion, increments by quadrature of the rates.
 
 use crate::earth::{self, Radii};
+use crate::math::compensated::{Pair, two_product, two_sum};
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::sample::{Increment, Rates};
@@ -107,24 +108,54 @@ impl Quadrature {
         from_s: R,
         to_s: R,
     ) -> Increment<R> {
-        let panels = R::count(self.panels);
-        let mut sum = Increment::default();
-        for panel in 0..self.panels {
-            let at = |n: u32| from_s + (to_s - from_s) * R::count(n) / panels;
-            let (a, b) = (at(panel), at(panel + 1));
-            let mean = self.mean(trajectory, (a + b) * R::HALF, (b - a) * R::HALF);
-            sum.angle_b = sum.angle_b + mean.rate_ib_b * (b - a);
-            sum.velocity_b = sum.velocity_b + mean.specific_force_b * (b - a);
-        }
-        sum
+        let centre = Pair::sum(from_s, to_s);
+        let centre = Pair { hi: centre.hi * R::HALF, lo: centre.lo * R::HALF };
+        self.increment_about(trajectory, centre, Pair::sum(to_s, -from_s))
     }
 
-    /// The mean of the rates over centre ± half.
+    /// The increment of the sample of a number, from 1, at so many samples per second.
+    #[inline]
+    pub fn sample<T: Trajectory<f64> + ?Sized>(
+        self,
+        trajectory: &T,
+        number: u64,
+        rate_hz: f64,
+    ) -> Increment<f64> {
+        let centre = instant(number as f64 - 0.5, rate_hz);
+        self.increment_about(trajectory, centre, Pair::new(rate_hz).reciprocal())
+    }
+
+    /// The increment over an interval about its centre, s: neither is rounded to what a time can be.
+    #[inline]
+    pub fn increment_about<R: Real, T: Trajectory<R> + ?Sized>(
+        self,
+        trajectory: &T,
+        centre_s: Pair<R>,
+        interval_s: Pair<R>,
+    ) -> Increment<R> {
+        let share = R::ONE / R::count(self.panels);
+        let half_s = interval_s.hi * share * R::HALF;
+        let mut sum = Rates::default();
+        for panel in 0..self.panels {
+            let from_centre = half_s * (R::count(2 * panel + 1) - R::count(self.panels));
+            let mean = self.mean(trajectory, centre_s, from_centre, half_s);
+            sum.rate_ib_b = sum.rate_ib_b + mean.rate_ib_b;
+            sum.specific_force_b = sum.specific_force_b + mean.specific_force_b;
+        }
+        let (time, low) = (interval_s.hi * share, interval_s.lo * share);
+        Increment {
+            angle_b: sum.rate_ib_b * time + sum.rate_ib_b * low,
+            velocity_b: sum.specific_force_b * time + sum.specific_force_b * low,
+        }
+    }
+
+    /// The mean of the rates over ± half about a time from the centre.
     #[inline]
     fn mean<R: Real, T: Trajectory<R> + ?Sized>(
         self,
         trajectory: &T,
-        centre_s: R,
+        centre_s: Pair<R>,
+        from_centre_s: R,
         half_s: R,
     ) -> Rates<R> {
         let rule = NODES.get(self.nodes.wrapping_sub(1)).copied().unwrap_or(&[]);
@@ -132,7 +163,8 @@ impl Quadrature {
         let mut angle = Vector::ZERO;
         let mut velocity = Vector::ZERO;
         for &(node, weight) in rule {
-            let r = rates(&trajectory.at(centre_s + half_s * R::of(node)));
+            let (hi, rest) = two_sum(centre_s.hi, from_centre_s + half_s * R::of(node));
+            let r = rates(&trajectory.at_instant(Pair { hi, lo: rest + centre_s.lo }));
             // f₁ + Σ ½wᵢ(fᵢ − f₁): the weights' rounding then has no bias
             let base = *reference.get_or_insert(r);
             let half_weight = R::of(weight) * R::HALF;
@@ -145,6 +177,16 @@ impl Quadrature {
             specific_force_b: base.specific_force_b + velocity,
         }
     }
+}
+
+/// When so many samples lie behind, s, with what rounding drops from it: a time of day as one double is
+/// off by 10⁻¹¹ s, which is a nanometre of fast motion.
+#[inline]
+pub fn instant(samples: f64, rate_hz: f64) -> Pair<f64> {
+    // n/f = t + (n − t·f)/f
+    let hi = samples / rate_hz;
+    let (product, rest) = two_product(hi, rate_hz);
+    Pair { hi, lo: ((samples - product) - rest) / rate_hz }
 }
 
 /// Error of n-node quadrature over an interval h of a function with f⁽ᵏ⁾ ≤ Λᵏ, x = Λh, per h.

@@ -3,7 +3,7 @@
 //! Every number is a [`Pair`], so that single precision passes on all the digits that it carries.
 
 use crate::earth::{self, Geodetic};
-use crate::math::compensated::Pair;
+use crate::math::compensated::{Pair, two_sum};
 use crate::math::quaternion::Quaternion;
 use crate::math::real::{Number, Real, Scalar};
 use crate::math::vector::Vector;
@@ -35,17 +35,39 @@ impl<R: Real> Euler<R> {
         about_axes([half(self.yaw), half(self.pitch), half(self.roll)])
     }
 
-    /// From the quaternion body → navigation frame.
+    /// From the quaternion body → navigation frame, of unit length or near it: with the angles within
+    /// ±180°, the pitch within ±90°.
+    ///
+    /// Where the pitch is ±90°, only ψ ∓ γ is determined; whatever the rounding makes of ψ and γ there,
+    /// the three angles lead back to the same attitude. Where nothing is left of ψ ± γ, the roll is 0.
     pub fn of_quaternion(q: Quaternion<R>) -> Self {
-        let [first, second, third] = q.matrix(R::ONE).rows;
-        // tanγ = c₃₂/c₃₃, sinθ = −c₃₁, tanψ = c₂₁/c₁₁
-        let cosine = (third.y * third.y + third.z * third.z).sqrt();
+        let Quaternion { w, v: Vector { x, y, z } } = q;
+        // w + y = √2 cos(45° − ½θ) cos ½(ψ − γ),  z − x = √2 cos(45° − ½θ) sin ½(ψ − γ)
+        // w − y = √2 cos(45° + ½θ) cos ½(ψ + γ),  z + x = √2 cos(45° + ½θ) sin ½(ψ + γ)
+        let ([a, b], [c, d]) = ([w + y, z - x], [w - y, z + x]);
+        let (up, down) = (a * a + b * b, c * c + d * d);
+        let (half_difference, half_sum) = (b.atan2(a), d.atan2(c));
+        // Below this there is nothing but the rounding of q.
+        let least = R::entry(1e-14, 1e-31);
+        let (no_difference, no_sum) = (up.less(least), down.less(least));
+        let difference = R::select(no_difference, half_sum, half_difference);
+        let sum = R::select(no_sum, half_difference, half_sum);
+        // sinθ = 2(wy − zx),  cosθ = √(1 + sinθ) √(1 − sinθ)
+        let sine = w * y - z * x;
         Self {
-            roll: third.y.atan2(third.z),
-            pitch: (-third.x).atan2(cosine),
-            yaw: second.x.atan2(first.x),
+            roll: wrapped_sum(sum, -difference),
+            pitch: (sine + sine).atan2((up * down).sqrt()),
+            yaw: wrapped_sum(sum, difference),
         }
     }
+}
+
+/// a + b within ±π, for |a|, |b| ≤ π; what rounding drops from the sum and from a turn is not lost.
+fn wrapped_sum<R: Real>(a: R, b: R) -> R {
+    const TURN: f64 = core::f64::consts::TAU;
+    let (sum, rest) = two_sum(a, b);
+    let turns = (sum / R::of(TURN)).round();
+    (sum - turns * R::of(TURN)) + (rest - turns * R::residual(TURN))
 }
 
 /// q_bⁿ = q_z(ψ) ⊗ q_y(θ) ⊗ q_x(γ), from sine and cosine of half of each.

@@ -70,7 +70,7 @@ impl Source {
             Some(emulator::build(scene).map_err(SourceError::Sensor)?)
         };
         let still = bandwidth == 0.0 && scene.link.jitter_s == 0.0 && !force_all;
-        let constant = still.then(|| quadrature.increment(&course, 0.0, interval_s));
+        let constant = still.then(|| quadrature.sample(&course, 1, scene.rate_hz));
         Ok(Self {
             course,
             quadrature,
@@ -105,7 +105,13 @@ impl Source {
 
     /// The true motion at the end of a sample.
     pub fn motion(&self, sample: u64) -> Motion<f64> {
-        self.course.at(self.time_s(sample))
+        self.course.at_instant(imu::instant(sample as f64, self.rate_hz))
+    }
+
+    /// The perfect increment of the sample of a number, from 1.
+    pub fn perfect_sample(&self, sample: u64) -> Increment<f64> {
+        let sampled = || self.quadrature.sample(&self.course, sample, self.rate_hz);
+        self.constant.unwrap_or_else(sampled)
     }
 
     /// The perfect increment between two times, s.
@@ -148,7 +154,11 @@ impl Samples<'_> {
     pub fn advance_seen(&mut self) -> (Increment<f64>, Option<Increment<f64>>) {
         let from_s = self.end_s;
         self.step();
-        let perfect = self.source.perfect(from_s, self.end_s);
+        let perfect = if self.source.jitter_s > 0.0 {
+            self.source.perfect(from_s, self.end_s)
+        } else {
+            self.source.perfect_sample(self.sample)
+        };
         let increment = self.sense(&perfect);
         (perfect, self.arrives().then_some(increment))
     }
@@ -165,7 +175,12 @@ impl Samples<'_> {
     /// The next sample as instantaneous rates at its end; `None` if the link lost it.
     pub fn advance_rates(&mut self) -> Option<Rates<f64>> {
         self.step();
-        let mut rates = imu::rates(&self.source.course.at(self.end_s));
+        let motion = if self.source.jitter_s > 0.0 {
+            self.source.course.at(self.end_s)
+        } else {
+            self.source.motion(self.sample)
+        };
+        let mut rates = imu::rates(&motion);
         if let (Some(emulator), Some(state)) = (&self.source.emulator, &mut self.state) {
             rates = emulator.emulate_rates(state, &rates);
         }

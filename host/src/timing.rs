@@ -24,14 +24,14 @@ pub fn stages(scene: &Scene, source: &Source, navigator: &dyn Navigate) -> Stage
 
 /// The first perfect increments.
 pub fn perfect(source: &Source, samples: u64) -> Vec<Increment<f64>> {
-    (1..=samples).map(|n| source.perfect(source.time_s(n - 1), source.time_s(n))).collect()
+    (1..=samples).map(|n| source.perfect_sample(n)).collect()
 }
 
 /// Truth and perfect increments.
 pub fn trajectory(source: &Source, samples: u64) -> f64 {
     per_sample(samples, &mut || {
         for n in 1..=samples {
-            black_box(source.perfect(source.time_s(n - 1), source.time_s(n)));
+            black_box(source.perfect_sample(n));
         }
     })
 }

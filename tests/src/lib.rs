@@ -34,7 +34,7 @@ impl Course {
         scene.rate_hz *= faster;
         scene.duration_s = scene.duration_s.min(seconds);
         let source = Source::new(&scene, false).unwrap();
-        let sample = |n| source.perfect(source.time_s(n - 1), source.time_s(n));
+        let sample = |n| source.perfect_sample(n);
         let samples = (1..=scene.samples()).map(sample).collect();
         Self { source, interval_s: Pair::new(scene.rate_hz).reciprocal(), samples }
     }

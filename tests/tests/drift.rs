@@ -1,11 +1,15 @@
 //! Solution less truth: against Earth-fixed chords in two-float arithmetic, and across the pole.
 
 use schuler::drift::compare::{Drift, drift};
-use schuler::earth::Geodetic;
+use schuler::drift::linear::ErrorState;
+use schuler::drift::meridian::MeridianShift;
+use schuler::earth::{Geodetic, SEMI_MINOR_AXIS};
 use schuler::math::compensated::Pair;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
-use schuler::solution::{Euler, Solution};
+use schuler::solution::{EarthFixedSolution, Euler, Solution};
+use schuler::trajectory::{Jet, Motion};
+use schuler_tests::Numbers;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 fn solution(latitude: f64, longitude: f64, altitude: f64) -> Solution<f64> {
@@ -75,32 +79,120 @@ fn velocity_and_attitude_against_their_own_axes() {
     assert!((attitude_ned - turn).norm() < 1e-15, "{attitude_ned:?}");
 }
 
-/// A vehicle a few metres away, with the same velocity and attitude in Earth-fixed axes: next to a pole
-/// its meridian is quite another one.
+/// A vehicle with the same velocity and attitude in Earth-fixed axes, some metres to hundreds of kilometres
+/// away: about a pole its meridian is quite another one, or there is none, and the drift does not see it.
 #[test]
-fn the_meridian_at_a_pole_is_no_attitude_error() {
-    for sign in [1.0, -1.0] {
-        let truth = solution(sign * (FRAC_PI_2 - 1e-7), 0.2, 0.0);
-        for (x, y) in [(0.5, 0.2), (-2.0, 0.1), (-0.9, -1.5), (0.0, 3.0), (-30.0, 4.0)] {
-            let mut moved = truth.to_earth_fixed();
-            moved.position_e = moved.position_e + Vector::new(x, y, 0.0).map(Pair::new);
-            let seen = drift(&moved.to_local(), &truth);
-            let Vector { x: north, y: east, .. } = seen.position_ned;
-            assert!((north.hypot(east) - f64::hypot(x, y)).abs() < 1e-3, "{seen:?}");
-            // The verticals differ by metres over the Earth's radius: by 5e-6 rad at most.
-            assert!(seen.velocity_ned.norm() < 142.0 * 5e-6, "{seen:?}");
-            assert!(seen.attitude_ned.norm() < 5e-6, "{seen:?}");
+fn the_meridian_about_a_pole_is_no_drift() {
+    let mut numbers = Numbers(71);
+    let off = [0.0, 1e-16, 1e-12, 1e-7, 1e-4, 0.01, 0.1];
+    for (n, off) in off.into_iter().cycle().enumerate().take(700) {
+        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+        let latitude = sign * (FRAC_PI_2 - off);
+        let truth = solution(latitude, numbers.within(PI), 1000.0);
+        let far = 10.0_f64.powf(-3.0 + numbers.within(8.0));
+        let angle = numbers.within(PI);
+        let (north, east) = (far * angle.cos(), far * angle.sin());
+        let (s, c) = latitude.sin_cos();
+        let (sl, cl) = truth.position.longitude.hi.sin_cos();
+        let step = Vector::new(-north * s * cl - east * sl, east * cl - north * s * sl, north * c);
+        let mut moved = truth.to_earth_fixed();
+        moved.position_e = moved.position_e + step.map(Pair::new);
+        let seen = drift(&moved.to_local(), &truth);
+        let Vector { x, y, .. } = seen.position_ned;
+        assert!((x - north).hypot(y - east) <= 1e-8, "{seen:?}");
+        // The verticals differ by the distance over the Earth's radius; about them, nothing turns.
+        let tilt = 1.01 * far / SEMI_MINOR_AXIS;
+        assert!(seen.attitude_ned.norm() <= tilt + 2e-15, "{far} {seen:?}");
+        assert!(seen.attitude_ned.z.abs() <= tilt * tilt + 2e-15, "{far} {seen:?}");
+        assert!(seen.velocity_ned.norm() <= 142.0 * tilt + 1e-12, "{far} {seen:?}");
+    }
+}
+
+/// The same rule for every error at one true place: at 84° it changes, whatever the error.
+#[test]
+fn elsewhere_the_meridian_counts() {
+    for (latitude, counts) in [(84.001, false), (83.999, true), (-84.001, false), (-83.999, true)] {
+        for east in [1e-9, 0.01] {
+            let latitude: f64 = latitude / 180.0 * PI;
+            let truth = solution(latitude, 0.2, 0.0);
+            let mut computed = truth;
+            computed.position.longitude = truth.position.longitude + Pair::new(east);
+            let seen = drift(&computed, &truth);
+            let turned = if counts { 0.0 } else { east };
+            let speed = 120.0_f64.hypot(75.0);
+            assert!((seen.velocity_ned.norm() - turned * speed).abs() <= 1e-2 * turned * speed);
+            assert!((seen.attitude_ned.norm() - turned).abs() <= 1e-2 * turned + 1e-15);
         }
     }
 }
 
-/// Where the error is small beside the distance from the axis, the meridian is part of the attitude.
+/// A solution that is off by a drift has that drift, at a pole too, and across it.
 #[test]
-fn elsewhere_the_meridian_counts() {
-    let truth = solution(FRAC_PI_2 - 1e-3, 0.2, 0.0);
-    let mut computed = truth;
-    computed.position.longitude = truth.position.longitude + Pair::new(0.01);
-    let seen = drift(&computed, &truth);
-    assert_eq!(seen.velocity_ned, Vector::ZERO);
-    assert!(seen.attitude_ned.norm() < 1e-15);
+fn what_is_added_is_the_drift() {
+    let mut numbers = Numbers(72);
+    let off = [0.0, 1e-12, 1e-6, 1e-3, 0.09, 0.11, 0.8, FRAC_PI_2];
+    for (n, off) in off.into_iter().cycle().enumerate().take(400) {
+        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+        let truth = solution(sign * (FRAC_PI_2 - off), numbers.within(PI), 1000.0);
+        let size = 10.0_f64.powf(numbers.within(4.0));
+        let given = Drift {
+            position_ned: numbers.vector(size),
+            velocity_ned: numbers.vector(10.0),
+            attitude_ned: numbers.vector(0.01),
+        };
+        let seen = drift(&given.added_to(&truth), &truth);
+        let apart = (seen.position_ned - given.position_ned).norm();
+        assert!(apart <= 3e-9 + 1e-13 * size, "{off} {size} {apart:e}");
+        assert!((seen.velocity_ned - given.velocity_ned).norm() <= 1e-13, "{off} {size} {seen:?}");
+        assert!((seen.attitude_ned - given.attitude_ned).norm() <= 1e-15, "{off} {size} {seen:?}");
+    }
+}
+
+/// To first order, theory's shift of the axes is the comparison's: on either side of 84°, and across.
+#[test]
+fn theory_sees_the_same_shift() {
+    for latitude in [80.0, 83.999, 84.001, 89.99, 90.0, 90.01, 97.0, -83.999, -84.001, -90.0, -91.0] {
+        let jet = |value: f64, first: f64| Jet { value, first, second: 0.0 };
+        let motion = Motion {
+            roll: jet(0.3, 0.0),
+            pitch: jet(-0.2, 0.0),
+            yaw: jet(2.0, 0.0),
+            latitude: jet(latitude / 180.0 * PI, 1e-5),
+            longitude: jet(0.4, 2e-6),
+            altitude: jet(3000.0, 1.0),
+        };
+        let truth = motion.initial();
+        let shift = MeridianShift::new(&motion);
+        for axis in 0..3 {
+            let mut moved = [0.0; 3];
+            moved[axis] = 1e-3;
+            let moved = Vector::from(moved);
+            let attitude = moved * 1e-2;
+            let error = ErrorState { position: moved, velocity: Vector::ZERO, attitude };
+            let expected = shift.drift(&error);
+            // The same along the axes of the printed position, in Earth-fixed components.
+            let at = truth.to_earth_fixed();
+            let facing = expected.position_ned;
+            let (s, c) = truth.position.latitude.hi.sin_cos();
+            let (sl, cl) = truth.position.longitude.hi.sin_cos();
+            let to_earth = |n: Vector<f64>| {
+                let outward = -(n.x * s) - n.z * c;
+                Vector::new(outward * cl - n.y * sl, outward * sl + n.y * cl, n.x * c - n.z * s)
+            };
+            let step = to_earth(facing);
+            let half = step * 0.5e-2;
+            let turn = Quaternion::new((1.0 - half.dot(half)).sqrt(), half).map(Pair::new);
+            let computed = EarthFixedSolution {
+                position_e: at.position_e + step.map(Pair::new),
+                attitude: turn * at.attitude,
+                ..at
+            };
+            let seen = drift(&computed.to_local(), &truth);
+            // An Earth-fixed double resolves 1e-9 m, which is what a meridian at 84° makes of it.
+            let apart = (seen.attitude_ned - expected.attitude_ned).norm();
+            assert!(apart < 2e-12, "{latitude} {axis} {apart:e} {seen:?} {expected:?}");
+            let apart = (seen.velocity_ned - expected.velocity_ned).norm();
+            assert!(apart < 1e-9, "{latitude} {axis} {apart:e} {seen:?} {expected:?}");
+        }
+    }
 }

@@ -184,7 +184,7 @@ fn propagate(
     held: bool,
     drive: impl Fn(f64, &ErrorDynamics<f64>) -> ErrorState<f64>,
 ) -> ErrorState<f64> {
-    let mut x = MeridianShift::new(&course.at(0.0), 0.0).error(off);
+    let mut x = MeridianShift::new(&course.at(0.0)).error(off);
     let steps = 2000;
     let h = DURATION_S / f64::from(steps);
     for k in 0..steps {
@@ -218,7 +218,7 @@ fn compare(held: bool) {
         let minus = fly(&course, &opposite, &against, held);
         let nonlinear = half_difference(&end, &plus, &minus);
         let x = propagate(&course, &off, held, |_, dynamics| dynamics.drive(&sensor));
-        let drift = MeridianShift::new(&end, 0.0).drift(&x);
+        let drift = MeridianShift::new(&end).drift(&x);
         let position = drift.position_ned.into_array();
         let linear = [position, drift.velocity_ned.into_array(), drift.attitude_ned.into_array()];
         for (i, (l, n)) in linear.into_iter().flatten().zip(nonlinear).enumerate() {

@@ -28,7 +28,7 @@ fn output(term: &impl ErrorTerm<f64>, truth: Vector<f64>) -> [Vec<f64>; 3] {
     let mut sums = [0.0; 3];
     let mut curves = [vec![0.0], vec![0.0], vec![0.0]];
     for _ in 0..SAMPLES {
-        let mut reading = Reading { increment: truth, saturated: false };
+        let mut reading = Reading::new(truth);
         term.apply(&mut state, &stimulus, &mut reading);
         for ((curve, sum), x) in
             curves.iter_mut().zip(&mut sums).zip(reading.increment.into_array())
@@ -173,7 +173,7 @@ fn a_turn_on_bias_is_constant_within_a_run_and_normal_over_runs() {
     for run in 0..runs {
         let mut state = term.start(Streams::new(1, run));
         let mut next = || {
-            let mut reading = Reading { increment: Vector::ZERO, saturated: false };
+            let mut reading = Reading::new(Vector::ZERO);
             term.apply(&mut state, &stimulus, &mut reading);
             reading.increment
         };

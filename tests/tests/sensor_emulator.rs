@@ -30,7 +30,7 @@ fn vector(x: f64, y: f64, z: f64) -> Vector<f64> {
 /// What a term adds to the first sample of a sensor at rest.
 fn error(term: &impl ErrorTerm<f64>) -> Vector<f64> {
     let mut state = term.start(Streams::new(1, 0));
-    let mut reading = Reading { increment: Vector::ZERO, saturated: false };
+    let mut reading = Reading::new(Vector::ZERO);
     let stimulus = Stimulus { sensed: Vector::ZERO, velocity_b: Vector::ZERO };
     term.apply(&mut state, &stimulus, &mut reading);
     reading.increment
@@ -175,7 +175,7 @@ fn a_terms_noise_does_not_depend_on_the_other_terms() {
 /// A term's part in a triad draws from the branch of this number.
 fn check_branch(number: u64, term: impl ErrorTerm<f64>, triad: Triad<f64>) {
     let mut state = term.start(Streams::new(1, 0).branch(number));
-    let mut reading = Reading { increment: Vector::ZERO, saturated: false };
+    let mut reading = Reading::new(Vector::ZERO);
     let stimulus = Stimulus { sensed: Vector::ZERO, velocity_b: Vector::ZERO };
     term.apply(&mut state, &stimulus, &mut reading);
     assert_eq!(reading.increment, error(&triad), "branch {number}");

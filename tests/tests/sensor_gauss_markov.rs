@@ -90,7 +90,7 @@ fn history(term: &GaussMarkov<f64>, seed: u64, samples: usize) -> Vec<(Vector<f6
     let stimulus = Stimulus { sensed: Vector::ZERO, velocity_b: Vector::ZERO };
     (0..samples)
         .map(|_| {
-            let mut reading = Reading { increment: Vector::ZERO, saturated: false };
+            let mut reading = Reading::new(Vector::ZERO);
             term.apply(&mut state, &stimulus, &mut reading);
             (state.bias, reading.increment)
         })

@@ -2,8 +2,8 @@
 //! numbers are exact in binary.
 
 use schuler::math::vector::Vector;
-use schuler::noise::Streams;
-use schuler::sample::Increment;
+use schuler::noise::{Deviate, Streams};
+use schuler::sample::{Increment, Rates};
 use schuler::sensor::carried::Carried;
 use schuler::sensor::constant::Constant;
 use schuler::sensor::emulator::Emulator;
@@ -30,7 +30,7 @@ fn reading(
     velocity_b: Vector<f64>,
 ) -> Reading<f64> {
     let mut state = term.start(Streams::new(1, 0));
-    let mut reading = Reading { increment: sensed, saturated: false };
+    let mut reading = Reading::new(sensed);
     term.apply(&mut state, &Stimulus { sensed, velocity_b }, &mut reading);
     reading
 }
@@ -83,9 +83,10 @@ fn terms_act_in_the_order_of_the_definition() {
         quantization: Some(Quantization::new(one * 0.5).unwrap()),
         ..Triad::PERFECT
     };
-    // (I + S)x + bΔt = 2.5, 4.5, 8.5 (the bias is not scaled); limit 5.375; then steps of a half
+    // (I + S)x + bΔt = 2.5, 4.5, 8.5 (the bias is not scaled); limit 5.375; then steps of a half, of
+    // which ten lie within the limit
     let read = reading(&full, X, F);
-    assert_eq!(read.increment, vector(2.5, 4.5, 5.5));
+    assert_eq!(read.increment, vector(2.5, 4.5, 5.0));
     assert!(read.saturated);
     assert!(!reading(&full, one, F).saturated);
 
@@ -115,6 +116,90 @@ fn saturation_cuts_both_signs_and_counts_samples() {
     assert_eq!(state.saturated, 3, "samples, not axes or triads");
 }
 
+/// At its limit a quantized axis reads the largest whole number of steps within it, always the same,
+/// and forgets what it could not put out: half a step at most comes later.
+fn at_the_limit<R: Deviate>(sign: R) {
+    let of = |x: f64| R::of(x);
+    let same = |x: R| Vector::new(x, x, x);
+    let timing = Timing::new(of(0.01), 1000).unwrap();
+    // 10 °/s for 0.01 s are 3.6 steps of 100″; 12 m/s² 4 steps of 0.03 m/s; 0.5 less than one step.
+    let limit = Vector::new(of(10.0), of(12.0), of(0.5));
+    let step = Vector::new(of(100.0 / 3600.0), of(0.03), of(0.01));
+    let most = Vector::new(of(300.0 / 3600.0), of(0.12), R::ZERO);
+    let terms = (Saturation::new(limit, timing).unwrap(), Quantization::new(step).unwrap());
+    let mut state = terms.start(Streams::new(1, 0));
+    let mut read = |sensed: Vector<R>| {
+        let mut reading = Reading::new(sensed);
+        terms.apply(&mut state, &Stimulus { sensed, velocity_b: sensed }, &mut reading);
+        reading
+    };
+    let near = |a: Vector<R>, b: Vector<R>| (a - b).norm() <= R::entry(1e-7, 1e-15);
+    for _ in 0..200 {
+        let reading = read(same(sign * of(0.5)));
+        assert!(near(reading.increment, most * sign) && reading.saturated);
+        let limit = limit * of(0.01);
+        assert!(reading.increment.zip(limit, |x, limit| x.abs() <= limit) == Vector::new(true, true, true));
+    }
+    // Nothing has wound up: what follows is off by half a step.
+    let mut sum = Vector::ZERO;
+    for _ in 0..10 {
+        sum = sum + read(same(-sign * of(0.004))).increment;
+    }
+    let off = sum + same(sign * of(0.04));
+    let half = step * of(0.5001);
+    assert!(off.x.abs() <= half.x + half.x && off.y.abs() <= half.y + half.y);
+}
+
+#[test]
+fn a_limit_holds_for_whole_steps() {
+    at_the_limit::<f64>(1.0);
+    at_the_limit::<f64>(-1.0);
+    at_the_limit::<f32>(1.0);
+    at_the_limit::<f32>(-1.0);
+}
+
+/// Below its limit, but not by a step: the remainder must not lift the reading over it.
+#[test]
+fn a_remainder_does_not_lift_a_reading_over_the_limit() {
+    let one = vector(1.0, 1.0, 1.0);
+    let timing = Timing::new(1.0, 100).unwrap();
+    let terms =
+        (Saturation::new(one * 3.6, timing).unwrap(), Quantization::new(one).unwrap());
+    let mut state = terms.start(Streams::new(1, 0));
+    for n in 0..100 {
+        let sensed = one * 3.4;
+        let mut reading = Reading::new(sensed);
+        terms.apply(&mut state, &Stimulus { sensed, velocity_b: F }, &mut reading);
+        assert_eq!(reading.increment, one * 3.0);
+        // Cut as soon as what is left over would make four steps.
+        assert_eq!(reading.saturated, n > 0, "{n}");
+    }
+}
+
+/// Rates, too: multiplied by the interval and divided again, a limit does not move up.
+#[test]
+fn rates_stay_within_the_limit() {
+    for rate_hz in [20.0, 60.0, 100.0, 128.0, 299.7, 1000.0] {
+        for limit in [10.0, 0.1, 300.0 / 7.0, 1e-3] {
+            let timing = Timing::new(1.0 / rate_hz, 10).unwrap();
+            let axes = vector(limit, limit, limit);
+            let limited = Saturation::new(axes, timing).unwrap();
+            let step = limit / rate_hz / 8.0;
+            let stepped = Quantization::new(vector(step, step, 0.0)).unwrap();
+            let emulator = Emulator::new((limited, stepped), (limited, ()), timing);
+            let mut state = emulator.start(1, 0);
+            for sign in [1.0, -1.0, 1.0] {
+                let huge = axes * (3.0 * sign);
+                let perfect = Rates { rate_ib_b: huge, specific_force_b: huge };
+                let read = emulator.emulate_rates(&mut state, &perfect);
+                for x in read.rate_ib_b.into_array().into_iter().chain(read.specific_force_b.into_array()) {
+                    assert!(x.abs() <= limit && x.abs() >= limit * (1.0 - 1e-14), "{rate_hz} {x} {limit}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn quantization_emits_whole_steps_and_loses_nothing() {
     // Steps that are powers of two keep every sum exact; a step of 0 leaves z continuous.
@@ -126,7 +211,7 @@ fn quantization_emits_whole_steps_and_loses_nothing() {
     for _ in 0..10_000 {
         let [x, y, z] = noise.each_mut().map(|s| (s.normal::<f64>() * 4096.0).round() / 65536.0);
         let sensed = vector(x, y, z);
-        let mut reading = Reading { increment: sensed, saturated: false };
+        let mut reading = Reading::new(sensed);
         term.apply(&mut state, &Stimulus { sensed, velocity_b: F }, &mut reading);
         taken = taken + sensed;
         given = given + reading.increment;

@@ -17,22 +17,24 @@ pub struct Drift<R = f64> {
     /// Position, m, along the true north, east and down: the horizontal components of the straight
     /// chord from the true to the computed position, and the height lost.
     pub position_ned: Vector<R>,
-    /// Velocity, m/s: v_computedⁿ − v_trueⁿ, each in the north, east and down of its own position.
+    /// Velocity, m/s: v_computedⁿ − v_trueⁿ, each in the north, east and down of its own position; beyond
+    /// 84° of true latitude see [`POLAR_SINE`].
     pub velocity_ned: Vector<R>,
     /// Attitude, rad: the rotation vector of C_bⁿ(computed)·C_bⁿ(true)ᵀ, each against the north, east
-    /// and down of its own position.
+    /// and down of its own position; beyond 84° of true latitude see [`POLAR_SINE`].
     pub attitude_ned: Vector<R>,
 }
 
-/// The part of the distance from the Earth's axis beyond which a horizontal error makes the two
-/// meridians incomparable.
-pub const POLAR_FRACTION: f64 = 0.1;
+/// sin 84°: the true latitude beyond which meridians are not compared. Where the universal polar
+/// stereographic grid takes over from meridians (NGA.SIG.0012, *The universal grids*), so does the drift.
+///
+/// There the angle between the two meridians tells of the position, not of the attitude or the velocity,
+/// and at the pole there is none. So the computed north is the true one, carried along the shortest way
+/// from the true to the computed position. It depends on the truth alone which rule holds: a drift and
+/// what theory expects of it are always of the same kind.
+pub const POLAR_SINE: f64 = 0.994_521_895_368_273_3;
 
 /// The computed solution less the truth; both with latitudes within ±90°.
-///
-/// Next to a pole, where the horizontal error exceeds [`POLAR_FRACTION`] of the distance from the
-/// Earth's axis, the angle Δλ·sinφ between the two meridians tells of the position, not of the
-/// attitude or the velocity: there the computed ones are first turned by it about down.
 pub fn drift(computed: &Solution<f64>, truth: &Solution<f64>) -> Drift {
     let (c, t) = (computed.position, truth.position);
     let (sin, cos) = Real::sin_cos(t.latitude.hi);
@@ -63,10 +65,8 @@ pub fn drift(computed: &Solution<f64>, truth: &Solution<f64>) -> Drift {
 
     let mut velocity = computed.velocity_ned;
     let mut attitude = computed.attitude.map(whole);
-    let limit = POLAR_FRACTION * (n + t.altitude.hi) * cos;
-    if north * north + east * east > limit * limit {
-        // About down by −Δλ sinφ
-        let (s, c) = Real::sin_cos(-0.5 * longitude * sin);
+    if sin.abs() > POLAR_SINE {
+        let (s, c) = Real::sin_cos(0.5 * convergence(computed, truth));
         let turn = Quaternion::new(c, Vector::new(0.0, 0.0, s));
         let (sine, cosine) = (2.0 * s * c, 1.0 - 2.0 * s * s);
         let (x, y) = (whole(velocity.x), whole(velocity.y));
@@ -79,6 +79,18 @@ pub fn drift(computed: &Solution<f64>, truth: &Solution<f64>) -> Drift {
         velocity_ned: velocity.zip(truth.velocity_ned, difference),
         attitude_ned: (attitude * truth.attitude.map(whole).conjugate()).rotation_vector(),
     }
+}
+
+/// The turn about down, rad, from the computed north to the true one, carried along the shortest way from
+/// the true to the computed position.
+pub(super) fn convergence(computed: &Solution<f64>, truth: &Solution<f64>) -> f64 {
+    let (c, t) = (computed.position, truth.position);
+    // q_y(φ + 90°) ⊗ q_z(Δλ) ⊗ q_y(−φ_c − 90°) is a tilt after a turn about down by α:
+    // tan ½α = −sin ½Δλ sin ½(φ + φ_c)/(cos ½Δλ cos ½(φ_c − φ))
+    let (sine, cosine) = Real::sin_cos(0.5 * difference(c.longitude, t.longitude));
+    let (sin_mean, _) = Real::sin_cos(0.5 * (c.latitude.hi + t.latitude.hi));
+    let (_, cos_half) = Real::sin_cos(0.5 * difference(c.latitude, t.latitude));
+    2.0 * Real::atan2(-(sine * sin_mean), cosine * cos_half)
 }
 
 /// a − b: leading parts first, so that they cancel exactly.

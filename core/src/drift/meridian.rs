@@ -3,7 +3,7 @@
 //! Here, and only here, the tangent of the latitude comes in. Source: the ψ- and the φ-angle error
 //! models and the turn δθ between their axes, Benson, IEEE Trans. AES-11(4), 1975.
 
-use super::compare::{Drift, POLAR_FRACTION};
+use super::compare::{Drift, POLAR_SINE};
 use super::linear::ErrorState;
 use crate::earth::Radii;
 use crate::math::real::Real;
@@ -28,17 +28,14 @@ pub struct MeridianShift<R> {
 }
 
 impl<R: Real> MeridianShift<R> {
-    /// At an instant of a motion, for a horizontal error of a size in metres: as in
-    /// [`compare::drift`](super::compare::drift), meridians are not compared where it exceeds a tenth
-    /// of the distance from the Earth's axis.
-    pub fn new(motion: &Motion<R>, horizontal_error: R) -> Self {
+    /// At an instant of a motion. As in [`compare::drift`](super::compare::drift), meridians are not
+    /// compared beyond [`POLAR_SINE`]: to first order, the north that is carried along does not turn.
+    pub fn new(motion: &Motion<R>) -> Self {
         let (s, c) = motion.latitude.value.sin_cos();
         let radii = Radii::at(s, c);
         let east_radius = radii.prime_vertical + motion.altitude.value;
-        let axis_distance = east_radius * c;
-        let limit = R::of(POLAR_FRACTION) * axis_distance.abs();
-        let polar = limit.less(horizontal_error);
-        let divisor = R::select(polar, R::ONE, axis_distance);
+        let polar = R::of(POLAR_SINE).less(s.abs());
+        let divisor = R::select(polar, R::ONE, east_radius * c);
         Self {
             velocity_ned: motion.velocity_ned(),
             per_north: R::ONE / (radii.meridian + motion.altitude.value),

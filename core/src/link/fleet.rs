@@ -37,6 +37,8 @@ pub trait Fleet: Copy {
     fn write(&self, to: &mut Writer);
     /// Walks the words of its state, to read them or to write them back.
     fn words(&mut self, visit: &mut dyn FnMut(u64) -> u64);
+    /// Whether the words that were written back can be its state.
+    fn check(&self) -> Result<(), Refusal>;
     /// Shows the flight, whatever its mechanization.
     fn visit<V: Visitor>(&mut self, visitor: V) -> V::Result;
 }
@@ -93,6 +95,10 @@ impl<M: Linked> Fleet for Flight<M> {
 
     fn words(&mut self, visit: &mut dyn FnMut(u64) -> u64) {
         self.record("", &mut |_, bits| visit(bits));
+    }
+
+    fn check(&self) -> Result<(), Refusal> {
+        Ok(Flight::check(self)?)
     }
 
     fn visit<V: Visitor>(&mut self, visitor: V) -> V::Result {
@@ -178,6 +184,12 @@ macro_rules! fleet {
                 fn words(&mut self, visit: &mut dyn FnMut(u64) -> u64) {
                     match self {
                         $(Self::$variant(flight) => Fleet::words(flight, visit),)+
+                    }
+                }
+
+                fn check(&self) -> Result<(), Refusal> {
+                    match self {
+                        $(Self::$variant(flight) => Fleet::check(flight),)+
                     }
                 }
 

@@ -13,9 +13,13 @@ use crate::record::Record;
 use crate::sample::Increment;
 use crate::solution::Solution;
 use crate::strapdown::mechanization::Rejected;
+use crate::strapdown::plausible::Damaged;
 
 /// Samples that are bridged at once, at most: as far as the record of what came reaches back.
 pub const MOST_BRIDGED: u32 = 31;
+
+/// Samples that wait to be integrated, at most: no window has more.
+const MOST_WAITING: u64 = 64;
 
 /// A mechanization with its state and what the link needs beside it.
 #[derive(Clone, Copy, Debug)]
@@ -160,6 +164,17 @@ impl<M: Linked> Flight<M> {
     /// Sets height (m) and vertical velocity (down, m/s).
     pub fn hold(&mut self, altitude: M::Real, down: M::Real) -> Result<(), Refusal> {
         Ok(self.mechanization.hold_vertical(&mut self.state, altitude, down)?)
+    }
+
+    /// Whether what was written back over it can be a flight's state: before anything else is done with it.
+    pub fn check(&self) -> Result<(), Damaged> {
+        self.mechanization.check(&self.state)?;
+        let waiting = u64::from(self.taken).checked_sub(self.integrated());
+        let sound = waiting.is_some_and(|samples| samples <= MOST_WAITING)
+            && self.digest.is_plausible()
+            && self.bridge.is_plausible(self.taken, MOST_BRIDGED)
+            && self.finished <= 1;
+        if sound { Ok(()) } else { Err(Damaged) }
     }
 
     /// Number of the last sample taken, or filled in.

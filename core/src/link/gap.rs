@@ -49,6 +49,15 @@ impl<R: Real> Bridge<R> {
         self.lost
     }
 
+    /// Whether it can be one after so many samples, of which at most `most` are missing at once.
+    pub(super) fn is_plausible(&self, samples: u32, most: u32) -> bool {
+        let largest = R::of(1e6);
+        let finite = |last: Increment<R>| {
+            last.angle_b.is_within(largest) & last.velocity_b.is_within(largest)
+        };
+        self.missing <= most && self.lost <= samples && self.last.is_none_or(finite)
+    }
+
     /// Takes the next sample, or its absence, and passes on what can be: a gap is filled along the
     /// straight line between its neighbours, once the second is there.
     pub fn take<E: From<Missing>>(

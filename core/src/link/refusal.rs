@@ -3,9 +3,10 @@
 use super::flight::MOST_BRIDGED;
 use super::gap::Missing;
 use crate::strapdown::mechanization::{Rejected, StartError};
+use crate::strapdown::plausible::Damaged;
 use core::fmt::{self, Display, Formatter};
 
-/// The reason. Nothing has changed but counters.
+/// The reason. But for [`Refusal::Damaged`], nothing has changed but counters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Refusal {
@@ -21,6 +22,9 @@ pub enum Refusal {
     Finished,
     /// The stream that is to be finished has had more samples than it is said to have.
     Count,
+    /// The stored state that was restored is none that navigation leaves. It has been written over what was
+    /// flown: it waits for the state again, from its beginning, or for a start.
+    Damaged,
     /// Navigation cannot start.
     Start(StartError),
     /// The navigator does not take the sample.
@@ -72,6 +76,7 @@ codes! {
     Start(StartError FlushToZero) = 16,
     Count = 17,
     Rejected(Rejected Interval) = 18,
+    Damaged = 19,
 }
 
 impl Display for Refusal {
@@ -87,6 +92,7 @@ impl Display for Refusal {
             ),
             Self::Finished => f.write_str("the stream has been finished"),
             Self::Count => f.write_str("the stream has had more samples than it is to end after"),
+            Self::Damaged => Damaged.fmt(f),
             Self::Start(error) => error.fmt(f),
             Self::Rejected(error) => error.fmt(f),
         }
@@ -98,6 +104,12 @@ impl core::error::Error for Refusal {}
 impl From<Missing> for Refusal {
     fn from(_: Missing) -> Self {
         Self::Gap
+    }
+}
+
+impl From<Damaged> for Refusal {
+    fn from(_: Damaged) -> Self {
+        Self::Damaged
     }
 }
 

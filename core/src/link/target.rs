@@ -189,6 +189,11 @@ impl<F: Fleet> Application<F> {
             self.restored = Some(have);
             return Ok(Reply::Restoring(have));
         }
+        if let Err(refusal) = flight.check() {
+            // What was flown is written over: the state is awaited again.
+            self.restored = Some(0);
+            return Err(refusal);
+        }
         self.restored = None;
         self.time_ns = time_ns;
         Ok(Reply::Standing)

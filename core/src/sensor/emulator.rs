@@ -95,7 +95,7 @@ fn read<R: Deviate, T: ErrorTerm<R>>(
     sensed: Vector<R>,
     velocity_b: Vector<R>,
 ) -> Reading<R> {
-    let mut reading = Reading { increment: sensed, saturated: false };
+    let mut reading = Reading::new(sensed);
     term.apply(state, &Stimulus { sensed, velocity_b }, &mut reading);
     reading
 }

@@ -1,7 +1,7 @@
 //! What sensors get wrong, as terms that are composed.
 //!
 //! output = quantize(saturate((I + S + M)·x + G·f + Σ biases + noise)), with x and f integrated over
-//! a sample. A term per file, each in its exact discrete form. `()` is the perfect sensor, `(A, B)`
+//! a sample; quantized too, it stays within the limits. A term per file, each in its exact discrete form. `()` is the perfect sensor, `(A, B)`
 //! first A then B, `Option<T>` is decided at run time; an absent term takes no time and no random
 //! numbers. "Angle" in a unit stands for what the increments count: rad for a gyro, m/s for an
 //! accelerometer.
@@ -76,6 +76,15 @@ pub struct Reading<R> {
     pub increment: Vector<R>,
     /// Whether an axis was beyond its limit.
     pub saturated: bool,
+    /// The largest increment that each axis can put out, where there is a limit.
+    pub limit: Option<Vector<R>>,
+}
+
+impl<R> Reading<R> {
+    /// Of what a perfect triad without limits reads.
+    pub fn new(increment: Vector<R>) -> Self {
+        Self { increment, saturated: false, limit: None }
+    }
 }
 
 /// A way in which a triad of like sensors errs.

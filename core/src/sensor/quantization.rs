@@ -2,6 +2,10 @@
 //!
 //! The cumulative sum is rounded and its difference emitted. Rounding each sample for itself would
 //! turn 3Q²/τ² of Allan variance into white noise, and bias slow motion.
+//!
+//! A sensor with limits puts out at most the largest whole number of steps within them. What it cannot
+//! put out is lost, as beyond any limit: the remainder never exceeds half a step, so that nothing winds
+//! up while the sensor is at its limit and comes out later.
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};
@@ -39,8 +43,36 @@ impl<R: Deviate> ErrorTerm<R> for Quantization<R> {
         // y = x + c,  out = q·round(y/q),  c ← y − out
         let exact = reading.increment + *remainder;
         let steps = self.step.zip(self.steps_per_unit, |q, inverse| (q, inverse));
-        reading.increment = exact
+        let mut out = exact
             .zip(steps, |y, (q, inverse)| if q > R::ZERO { q * (y * inverse).round() } else { y });
-        *remainder = exact - reading.increment;
+        let mut rest = exact - out;
+        if let Some(limit) = reading.limit {
+            let most = limit.zip(steps, most);
+            let cut = |y: R, most: R| if y > most { most } else { y };
+            let within = |y: R, most: R| if y < R::ZERO { -cut(-y, most) } else { cut(y, most) };
+            let limited = out.zip(most, within);
+            reading.saturated |= limited != out;
+            out = limited;
+            rest = (exact - out).zip(self.step, |c, q| within(c, q * R::HALF));
+        }
+        reading.increment = out;
+        *remainder = rest;
+    }
+}
+
+/// The largest whole number of steps within a limit, as an increment; a step of 0 has no numbers.
+fn most<R: Deviate>(limit: R, (step, steps_per_unit): (R, R)) -> R {
+    if step == R::ZERO {
+        return limit;
+    }
+    let nearest = (limit * steps_per_unit).round();
+    // A limit that is whole steps but for its own rounding is what they come to.
+    let most = nearest * step;
+    if most <= limit {
+        most
+    } else if most - limit <= limit * R::entry(5e-7, 1e-15) {
+        limit
+    } else {
+        (nearest - R::ONE) * step
     }
 }

@@ -16,8 +16,14 @@ impl<R: Deviate> Saturation<R> {
     /// From the largest output of each axis, angle/s.
     pub fn new(limit: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let limit = Parameter::Saturation.positive(limit)?;
-        let limit = Parameter::Saturation.computed(limit * timing.interval_s())?;
-        Ok(Self { limit })
+        let interval_s = timing.interval_s();
+        let increment = limit.map(|rate| {
+            let increment = rate * interval_s;
+            // As a rate again it must not come out above, by rounding.
+            let below = increment - increment * R::entry(6e-8, 1.2e-16);
+            if increment / interval_s > rate { below } else { increment }
+        });
+        Ok(Self { limit: Parameter::Saturation.computed(increment)? })
     }
 }
 
@@ -29,7 +35,8 @@ impl<R: Deviate> ErrorTerm<R> for Saturation<R> {
 
     #[inline]
     fn apply(&self, _: &mut (), _: &Stimulus<R>, reading: &mut Reading<R>) {
-        let Reading { increment, saturated } = reading;
+        let Reading { increment, saturated, limit } = reading;
+        *limit = Some(self.limit);
         *increment = increment.zip(self.limit, |x, limit| {
             let (over, under) = (x > limit, x < -limit);
             *saturated |= over | under;

@@ -4,6 +4,8 @@
 //! at its end position, velocity and gravity turn with the Earth. Gravitation is evaluated once per
 //! block and interpolated backwards (Adams).
 
+mod plausible;
+
 use super::block_time::{BlockTime, small_turn};
 use super::body::BodyMotion;
 use super::frame::{Beginning, Frame, check_earth_fixed, stretched};

@@ -3,13 +3,14 @@
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::mechanization::Rejected;
+use super::plausible::Plausible;
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
 use crate::math::real::{Real, Scalar};
 use crate::math::vector::Vector;
 use crate::solution::{EarthFixedSolution, Solution};
 
 /// A navigation frame's state, with the step that carries it over a block.
-pub trait Frame: Copy {
+pub trait Frame: Copy + Plausible {
     /// The scalar it computes in.
     type Real: Real;
     /// What it prints: its own coordinates, converted only when asked.

@@ -76,6 +76,24 @@ impl<R: Real> Latitude<R> {
         Vector::new(-(pull * x), -(pull * y), -(gravity * self.sine))
     }
 
+    /// The gravitation at a position, m/s², if this latitude, which may be that of half a sample before, can
+    /// be the position's.
+    pub(super) fn belongs_to(&self, position_e: Vector<R>) -> Option<Vector<R>> {
+        let (s, c) = (self.sine, self.cosine);
+        let is_one = s.is_within(R::of(1.1))
+            & c.is_within(R::of(1.1))
+            & (s * s + c * c - R::ONE).is_within(R::of(1e-3))
+            & self.change.is_within(R::ONE);
+        if !is_one {
+            return None;
+        }
+        let mut there = *self;
+        let gravitation = there.gravitation(position_e);
+        // 64 km along the meridian
+        let apart = (there.sine - s).is_within(R::of(1e-2)) & (there.cosine - c).is_within(R::of(1e-2));
+        apart.then_some(gravitation)
+    }
+
     /// The ellipsoid's outward normal at a position whose latitude this is, and how far an altitude
     /// lies above it, m.
     pub fn vertical(&self, position_e: Vector<R>, altitude: R) -> (Vector<R>, R) {

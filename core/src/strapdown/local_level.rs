@@ -4,6 +4,7 @@
 //! relative to the Earth; at the end the frame turns to the new place. No state is as large as the
 //! Earth, which makes it the frame for single precision. Near a pole use the Earth-fixed frame.
 
+mod plausible;
 mod seed;
 mod within;
 

@@ -1,6 +1,7 @@
 //! What every mechanization has in common: how it is started and fed, and what it refuses.
 
 use super::frame::{FARTHEST, Output};
+use super::plausible::Damaged;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
@@ -59,6 +60,9 @@ pub trait Mechanization {
         altitude: Self::Real,
         down: Self::Real,
     ) -> Result<(), Rejected>;
+    /// Whether a state can be one that navigation left: asked of every state that was written back, before
+    /// it goes on.
+    fn check(&self, state: &Self::State) -> Result<(), Damaged>;
     /// The frame's share of a state.
     fn frame(state: &Self::State) -> &Self::Frame;
     /// How many samples it has integrated.

@@ -16,6 +16,7 @@ pub mod mechanization;
 pub mod meridian;
 pub mod navigator;
 pub mod plan;
+pub mod plausible;
 pub mod rk4;
 mod rows;
 pub mod series;

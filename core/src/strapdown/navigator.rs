@@ -3,6 +3,7 @@
 //! Look-ahead delays a row, it never changes it. The first block of a window that wants history looks
 //! ahead instead; the last ones look back; so a stream of any length ends with a row for every sample.
 
+mod check;
 mod edges;
 mod mechanization;
 mod unequal;

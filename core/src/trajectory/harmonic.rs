@@ -5,8 +5,13 @@
 
 use super::{Bound, Jet, Motion, Trajectory};
 use crate::earth::SEMI_MAJOR_AXIS;
+use crate::math::compensated::{Pair, two_product};
 use crate::math::real::Scalar;
+use core::f64::consts::{PI, TAU};
 use heapless::Vec;
+
+/// Channels that are angles: all but the last, the altitude.
+const ANGLES: usize = 5;
 
 /// amplitude · cos(angular_rate · t + phase).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -171,17 +176,37 @@ fn bound<R: Scalar>(channels: &[Channel<'_, R>; 6]) -> Result<Bound<R>, CourseEr
     })
 }
 
+/// rate·t within ±π, rad, as exactly as a number of that size can be.
+fn turned<R: Scalar>(rate: R, time_s: Pair<R>) -> R {
+    let (steady, rest) = two_product(rate, time_s.hi);
+    let turns = (steady / R::of(TAU)).round();
+    // 2π as its rounding and what that dropped: of many turns, both count.
+    let (whole, dropped) = two_product(turns, R::of(TAU));
+    let low = turns * R::entry(-1.748_455_6e-7, 2.449_293_598_294_706_4e-16);
+    (steady - whole) + (rest + rate * time_s.lo - dropped - low)
+}
+
 impl<R: Scalar, const N: usize> Trajectory<R> for HarmonicTrajectory<R, N> {
     #[inline]
-    fn at(&self, time_s: R) -> Motion<R> {
+    fn at_instant(&self, time_s: Pair<R>) -> Motion<R> {
         let mut value = self.offset;
         let mut first = self.rate;
         let mut second = [R::ZERO; 6];
-        for (v, rate) in value.iter_mut().zip(self.rate) {
-            *v = *v + rate * time_s;
+        for (channel, (v, rate)) in value.iter_mut().zip(self.rate).enumerate() {
+            let steady = rate * time_s.hi;
+            *v = if channel < ANGLES && steady.abs() > R::of(PI) {
+                *v + turned(rate, time_s)
+            } else {
+                *v + (steady + rate * time_s.lo)
+            };
         }
         for (tone, &w) in self.tones.iter().enumerate() {
-            let (s, c) = (w * time_s).sin_cos();
+            // What rounding drops from the phase, a day of vibration from its beginning a millionth of a
+            // turn: sin(x + e) = sin x + e cos x
+            let (phase, rest) = two_product(w, time_s.hi);
+            let rest = rest + w * time_s.lo;
+            let (s, c) = phase.sin_cos();
+            let (s, c) = (s + rest * c, c - rest * s);
             for share in self.shares.iter().filter(|share| share.tone == tone) {
                 let in_phase = share.cosine * c + share.sine * s;
                 let quadrature = share.sine * c - share.cosine * s;

@@ -67,8 +67,13 @@ pub struct Bound<R> {
 
 /// A motion that can be evaluated at any time.
 pub trait Trajectory<R: Real> {
+    /// The motion at a time in seconds, with what rounding dropped from it; an angle may come with whole
+    /// turns taken out.
+    fn at_instant(&self, time_s: Pair<R>) -> Motion<R>;
     /// The motion at a time in seconds.
-    fn at(&self, time_s: R) -> Motion<R>;
+    fn at(&self, time_s: R) -> Motion<R> {
+        self.at_instant(Pair::new(time_s))
+    }
     /// Its bounds, over all time.
     fn bound(&self) -> Bound<R>;
 }

@@ -63,7 +63,7 @@ pub fn fly(
         let end = stop.min(done + STRETCH);
         let time_s = |sample| ground.source.time_s(sample);
         let perfect: Vec<_> =
-            (done..end).map(|n| ground.source.perfect(time_s(n), time_s(n + 1))).collect();
+            (done..end).map(|n| ground.source.perfect_sample(n + 1)).collect();
         if let Some((sample, _, why)) = stretch(&mut groups, &perfect, done, threads) {
             return Err(FlightError::Rejected { sample, time_s: time_s(sample), why });
         }

@@ -16,7 +16,7 @@ pub struct Chunk {
 impl Chunk {
     /// Those after `before` up to `end`.
     pub fn new(source: &Source, before: u64, end: u64) -> Self {
-        let perfect = |n| source.perfect(source.time_s(n - 1), source.time_s(n));
+        let perfect = |n| source.perfect_sample(n);
         let rates = |n| imu::rates(&source.motion(n));
         Self {
             increments: (before + 1..=end).map(perfect).collect(),

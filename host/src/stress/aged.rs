@@ -70,7 +70,7 @@ where
     let before = scene.samples() + 1;
     // The swell repeats itself by and by; a hundred seconds of it, over and over, age as well.
     let cycle: Vec<_> =
-        (1..=5000).map(|n| source.perfect(source.time_s(n - 1), source.time_s(n))).collect();
+        (1..=5000).map(|n| source.perfect_sample(n)).collect();
     let interval_s = Pair::narrow(Pair::new(scene.rate_hz).reciprocal());
     let refused = |error: StartError| error.to_string();
     let mechanization = new(interval_s).map_err(refused)?;

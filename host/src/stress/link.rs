@@ -90,7 +90,7 @@ fn bridged(loss: f64, progress: &CaseProgress) -> Outcome {
 
 /// The largest second differences of angle and velocity increments over a flight, rad and m/s.
 fn second_differences(source: &Source, samples: u64) -> (f64, f64) {
-    let increment = |n: u64| source.perfect(source.time_s(n), source.time_s(n + 1));
+    let increment = |n: u64| source.perfect_sample(n + 1);
     let mut most = (0.0_f64, 0.0_f64);
     let curved = |a: Vector<f64>, b: Vector<f64>, c: Vector<f64>| ((a - b) - (b - c)).norm();
     // The paper's motion is slow: every hundredth sample meets its extremes to a thousandth.

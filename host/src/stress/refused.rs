@@ -134,7 +134,7 @@ fn refused(progress: &CaseProgress) -> Outcome {
         let mut undisturbed = start().map_err(|error| error.to_string())?;
         let (mut rows, mut undisturbed_rows) = (Vec::new(), Vec::new());
         for n in 1..=scene.samples() {
-            let good = source.perfect(source.time_s(n - 1), source.time_s(n));
+            let good = source.perfect_sample(n);
             let x = IMPOSSIBLE[n as usize % IMPOSSIBLE.len()];
             for input in 0..6 {
                 let mut bad = good;

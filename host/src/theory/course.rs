@@ -8,7 +8,6 @@ use schuler::drift::compare::Drift;
 use schuler::drift::linear::{ErrorDynamics, ErrorState};
 use schuler::drift::meridian::MeridianShift;
 use schuler::imu;
-use schuler::math::vector::Vector;
 use schuler::sample::Rates;
 use schuler::trajectory::harmonic::{CourseError, HarmonicTrajectory};
 use schuler::trajectory::{Motion, Trajectory};
@@ -59,8 +58,7 @@ impl Course {
         if vertical_held {
             (drift.position_ned.z, drift.velocity_ned.z) = (0.0, 0.0);
         }
-        let horizontal = drift.position_ned.x.hypot(drift.position_ned.y);
-        let shift = MeridianShift::new(&trajectory.at(0.0), horizontal);
+        let shift = MeridianShift::new(&trajectory.at(0.0));
         let (random, bound) = (sources.are_random(), trajectory.bound());
         Ok(Self {
             random,
@@ -90,10 +88,7 @@ impl Course {
         mean: &ErrorState<f64>,
         covariance: &Covariance,
     ) -> (Drift, Covariance) {
-        let Vector { x: north, y: east, .. } = mean.position;
-        let scatter = (covariance[0][0] + covariance[1][1]).max(0.0);
-        let horizontal = (north * north + east * east + scatter).sqrt();
-        let shift = MeridianShift::new(&at.motion, horizontal);
+        let shift = MeridianShift::new(&at.motion);
         let drift = |x: &ErrorState<f64>| {
             let mut drift = shift.drift(x);
             if self.vertical_held {

@@ -26,7 +26,7 @@ fn the_shortest_period_that_is_named_is_accepted_and_integrated_exactly() {
     let w = TAU / period_s;
     let roll = |n: u64| 0.01_f64.to_radians() * (w * source.time_s(n) - FRAC_PI_2).cos();
     for n in 1..10 {
-        let increment = source.perfect(source.time_s(n - 1), source.time_s(n));
+        let increment = source.perfect_sample(n);
         let expected = roll(n) - roll(n - 1);
         // Each of 8192 evaluations rounds a rate of 3.5 rad/s at a phase of up to 10⁴ rad.
         assert!((increment.angle_b.x - expected).abs() < 1e-13, "{n}: {increment:?} {expected:e}");

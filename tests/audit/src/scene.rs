@@ -48,11 +48,6 @@ impl Scene {
         self.duration_s * self.rate_hz
     }
 
-    /// End of a sample, s.
-    pub fn time_s(&self, sample: u32) -> f64 {
-        f64::from(sample) / f64::from(self.rate_hz)
-    }
-
     /// From sample to sample, s, to twice the digits.
     pub fn interval_s(&self) -> Pair<f64> {
         Pair::new(f64::from(self.rate_hz)).reciprocal()

@@ -2,6 +2,7 @@
 
 use crate::recording::{Reader, Stage};
 use crate::scene::{RUN, SEED, Scene};
+use schuler::imu::instant;
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
@@ -35,10 +36,11 @@ pub fn fly<'a>(
         ["trajectory", "increments", "noise"].map(Stage::new);
     let samples = samples.get_mut(..scene.samples() as usize).ok_or(Refused)?;
     for (sample, measured) in (1..).zip(samples.iter_mut()) {
-        let (from_s, to_s) = (scene.time_s(sample - 1), scene.time_s(sample));
-        let perfect = quadrature.increment(&course, from_s, to_s);
+        let (number, rate_hz) = (u64::from(sample), f64::from(scene.rate_hz));
+        let perfect = quadrature.sample(&course, number, rate_hz);
         *measured = emulator.emulate(&mut state, &perfect);
-        trajectory.row(sample.into(), &course.at(to_s), reader);
+        let end_s = instant(sample.into(), rate_hz);
+        trajectory.row(sample.into(), &course.at_instant(end_s), reader);
         increments.row(sample.into(), &perfect, reader);
         noise.row(sample.into(), measured, reader);
     }

@@ -42,7 +42,7 @@ fn emulated(sample: Increment<f32>) -> Increment<f32> {
     use schuler::sensor::white::White;
     use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing};
     let white = Timing::new(0.01, 1).and_then(|timing| White::new(black_box(sample).angle_b, timing));
-    let mut reading = Reading { increment: sample.angle_b, saturated: false };
+    let mut reading = Reading::new(sample.angle_b);
     if let Ok(white) = white {
         let mut state = white.start(Streams::new(1, 0));
         let stimulus = Stimulus { sensed: sample.angle_b, velocity_b: sample.velocity_b };

@@ -54,8 +54,7 @@ impl Perfect {
     /// The perfect increment of a sample.
     #[inline]
     fn sample(&self, sample: u64) -> Increment<f64> {
-        let end = |sample| sample as f64 / self.rate_hz;
-        self.quadrature.increment(&self.course, end(sample - 1), end(sample))
+        self.quadrature.sample(&self.course, sample, self.rate_hz)
     }
 
     fn initial(&self) -> Solution<f64> {

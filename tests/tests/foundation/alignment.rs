@@ -48,6 +48,28 @@ fn made_up_attitudes_are_found() {
     }
 }
 
+/// Upright, where roll and yaw turn about the same axis and their sum alone is there to be found.
+#[test]
+fn upright_units_are_found() {
+    let mut numbers = Numbers(63);
+    for n in 0..2000 {
+        let off = if n % 3 == 0 { 0.0 } else { 10.0_f64.powf(-10.0 + numbers.within(7.0)) };
+        let pitch = if n % 2 == 0 { FRAC_PI_2 - off } else { off - FRAC_PI_2 };
+        let attitude = Euler { roll: numbers.within(PI), pitch, yaw: numbers.within(PI) };
+        let sample = at_rest(attitude, numbers.within(1.2), 0.1);
+        let mut alignment = Alignment::default();
+        alignment.add(&sample);
+        let found = alignment.attitude().unwrap();
+        let turn = found.quaternion() * attitude.quaternion().conjugate();
+        assert!(turn.rotation_vector().norm() < 1e-12, "{attitude:?} {found:?}");
+        let mut single = Alignment::<f32>::default();
+        single.add(&narrow(sample));
+        let found = single.attitude().unwrap().quaternion().map(f64::from);
+        let turn = found * attitude.quaternion().conjugate();
+        assert!(turn.rotation_vector().norm() < 2e-6, "{attitude:?} {found:?}");
+    }
+}
+
 #[test]
 fn single_precision_finds_them_too() {
     let attitude = Euler { roll: 0.1, pitch: -0.2, yaw: 2.5 };

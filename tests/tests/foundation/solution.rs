@@ -6,7 +6,7 @@ use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::solution::{Euler, Solution};
 use schuler_tests::Numbers;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 
 /// Rows of C_nᵇ = Rx(γ)·Ry(θ)·Rz(ψ), written out.
 fn rows([roll, pitch, yaw]: [f64; 3]) -> [[f64; 3]; 3] {
@@ -41,13 +41,52 @@ fn angles_to_quaternion_and_back() {
     }
 }
 
+/// The angle between two attitudes, whatever the lengths of their quaternions.
+fn between(a: Quaternion<f64>, b: Quaternion<f64>) -> f64 {
+    let turn = b.conjugate() * a;
+    2.0 * turn.v.norm().atan2(turn.w.abs())
+}
+
+/// Anywhere, upright above all: within 10⁻³ to 10⁻¹⁷ rad of ±90° of pitch, and there itself.
 #[test]
-fn a_millionth_from_straight_up_the_angles_still_tell_the_attitude() {
-    for pitch in [FRAC_PI_2 - 1e-6, 1e-6 - FRAC_PI_2] {
-        let q = Euler { roll: 0.3, pitch, yaw: 1.0 }.quaternion();
+fn angles_lead_back_to_the_attitude_everywhere() {
+    let mut numbers = Numbers(43);
+    let special = [0.0, PI, -PI, FRAC_PI_2, -FRAC_PI_2, FRAC_PI_6];
+    for n in 0..40_000 {
+        let off = match n % 4 {
+            0 => FRAC_PI_2 + numbers.within(FRAC_PI_2),
+            1 => 10.0_f64.powf(-10.0 + numbers.within(7.0)),
+            2 => 0.0,
+            _ => FRAC_PI_2 + numbers.within(1e-9),
+        };
+        let pitch = if n % 8 < 4 { FRAC_PI_2 - off } else { off - FRAC_PI_2 };
+        let mut angle = || match numbers.word() % 12 {
+            word @ 0..6 => special[word as usize],
+            _ => numbers.within(PI),
+        };
+        let euler = Euler { roll: angle(), pitch, yaw: angle() };
+        let q = euler.quaternion();
         let back = Euler::of_quaternion(q);
-        assert!((back.pitch - pitch).abs() < 1e-15);
-        assert!(apart(q, [back.roll, back.pitch, back.yaw]) < 5e-10, "{back:?}");
+        assert!(between(back.quaternion(), q) <= 4e-15, "{euler:?} {back:?}");
+        assert!(back.roll.abs() <= PI && back.yaw.abs() <= PI && back.pitch.abs() <= FRAC_PI_2);
+        assert!((back.pitch - pitch).abs() <= 1e-15, "{euler:?} {back:?}");
+        // A quaternion's length is not part of its attitude.
+        let long = Euler::of_quaternion(q * 1.001);
+        assert!(between(long.quaternion(), q) <= 4e-15, "{euler:?} {long:?}");
+
+        let single = q.map(|c| c as f32);
+        let back = Euler::of_quaternion(single).quaternion();
+        let apart = between(back.map(f64::from), single.map(f64::from));
+        assert!(apart <= 1e-6, "{euler:?} {apart:e}");
+    }
+}
+
+/// Where roll and yaw turn about the same axis, the turn is called yaw.
+#[test]
+fn straight_up_there_is_no_roll() {
+    for (pitch, yaw) in [(FRAC_PI_2, 0.25), (-FRAC_PI_2, -0.75)] {
+        let back = Euler::of_quaternion(Euler { roll: 0.0, pitch, yaw }.quaternion());
+        assert!(back.roll == 0.0 && (back.yaw - yaw).abs() < 1e-15, "{back:?}");
     }
 }
 

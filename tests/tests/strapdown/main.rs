@@ -17,5 +17,6 @@ mod fit;
 mod gravitation;
 mod record;
 mod rejects;
+mod restored;
 mod starts;
 mod stream;

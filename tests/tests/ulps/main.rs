@@ -5,6 +5,7 @@
 
 mod big;
 mod block;
+mod day;
 mod earth;
 mod elementary;
 mod rotation;

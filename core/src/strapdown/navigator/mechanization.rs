@@ -3,6 +3,7 @@
 use super::super::body::BodyMotion;
 use super::super::frame::Frame;
 use super::super::mechanization::{Mechanization, Rejected, StartError, admit_held};
+use super::super::plausible::Damaged;
 use super::super::window::Window;
 use super::{State, Strapdown};
 use crate::sample::Increment;
@@ -61,6 +62,9 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
         admit_held(altitude, down)?;
         state.frame.hold_vertical(altitude, down);
         Ok(())
+    }
+    fn check(&self, state: &State<F, W>) -> Result<(), Damaged> {
+        Strapdown::check(self, state)
     }
     fn frame(state: &State<F, W>) -> &F {
         &state.frame

@@ -13,6 +13,7 @@ use crate::strapdown::block_time::small_turn;
 use crate::strapdown::frame::check_earth_fixed;
 use crate::strapdown::gravitation::Latitude;
 use crate::strapdown::mechanization::Rejected;
+use crate::strapdown::plausible::{MOST_SPEED, Plausible, is_attitude};
 
 /// State in Earth-fixed axes.
 #[derive(Clone, Copy, Debug)]
@@ -99,6 +100,16 @@ impl<R: Real> TextbookFrame for EarthFixedTextbook<R> {
             velocity_e: self.velocity.map(Pair::new),
             attitude: self.attitude.map(Pair::new),
         }
+    }
+}
+
+impl<R: Real> Plausible for EarthFixedTextbook<R> {
+    fn is_plausible(&self) -> bool {
+        check_earth_fixed(self.position).is_ok()
+            && self.velocity.is_within(R::of(MOST_SPEED))
+            && self.velocity_change.is_within(R::of(MOST_SPEED))
+            && is_attitude(self.attitude)
+            && self.latitude.belongs_to(self.position).is_some()
     }
 }
 

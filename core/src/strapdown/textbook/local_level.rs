@@ -11,6 +11,8 @@ use crate::record::{Record, record};
 use crate::solution::Solution;
 use crate::strapdown::frame::check_local;
 use crate::strapdown::mechanization::Rejected;
+use crate::strapdown::plausible::{MOST_SPEED, Plausible, agree, is_attitude};
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// State in local-level axes.
 #[derive(Clone, Copy, Debug)]
@@ -117,6 +119,24 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
             velocity_ned: self.velocity.map(Pair::new),
             attitude: self.attitude.map(Pair::new),
         }
+    }
+}
+
+impl<R: Real> Plausible for LocalLevelTextbook<R> {
+    fn is_plausible(&self) -> bool {
+        let Geodetic { latitude, longitude, altitude } = self.position;
+        let in_range = latitude.is_within(R::of(FRAC_PI_2))
+            & longitude.is_within(R::of(TAU))
+            & self.velocity.is_within(R::of(MOST_SPEED))
+            & self.velocity_change.is_within(R::of(MOST_SPEED))
+            & self.latitude_change.is_within(R::ONE)
+            & self.altitude_change.is_within(R::of(MOST_SPEED));
+        if !in_range || check_local(self.cosine, altitude).is_err() || !is_attitude(self.attitude) {
+            return false;
+        }
+        let (sine, cosine) = Pair::new(latitude).sin_cos();
+        let carried = R::entry(1e-2, 1e-6);
+        agree(self.sine, sine.hi, carried) & agree(self.cosine, cosine.hi, carried)
     }
 }
 

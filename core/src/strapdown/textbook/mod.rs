@@ -18,6 +18,7 @@ use super::mechanization::{
 };
 use super::unequal::UnequalIntervals;
 use crate::math::compensated::Pair;
+use super::plausible::{Damaged, MOST_COUNTED, Plausible};
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Solution;
@@ -25,7 +26,7 @@ use body::Compensated;
 use core::marker::PhantomData;
 
 /// A textbook frame: its state and the step over one sample.
-pub trait TextbookFrame: Copy {
+pub trait TextbookFrame: Copy + Plausible {
     /// The scalar it computes in.
     type Real: Real;
     /// What it prints.
@@ -228,6 +229,13 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         admit_held(altitude, down)?;
         state.frame.hold_vertical(altitude, down);
         Ok(())
+    }
+
+    fn check(&self, state: &TextbookState<F>) -> Result<(), Damaged> {
+        let sound = state.integrated <= MOST_COUNTED
+            && self.gate.admit(&state.previous).is_ok()
+            && state.frame.is_plausible();
+        if sound { Ok(()) } else { Err(Damaged) }
     }
 
     fn frame(state: &TextbookState<F>) -> &F {

@@ -22,7 +22,7 @@ use schuler::trajectory::Trajectory as _;
 use schuler_firmware::board::{self, Counter, entry, stack::Painted};
 use schuler_firmware::fault::Fault;
 use schuler_firmware::navigation::planned;
-use schuler_firmware::paper::{self, Course, RATE_HZ, SEED, time_s};
+use schuler_firmware::paper::{self, Course, RATE_HZ, SEED};
 
 /// Samples that a mean is taken over: whole blocks.
 const SAMPLES: usize = 64;
@@ -106,7 +106,7 @@ impl Motion {
 
     #[inline(never)]
     fn sample(&self, sample: u32) -> Increment<f64> {
-        self.quadrature.increment(&self.course, time_s(sample - 1), time_s(sample))
+        self.quadrature.sample(&self.course, sample.into(), RATE_HZ)
     }
 
     /// A navigator under way, and the samples that come next.

@@ -80,7 +80,7 @@ fn fly() -> Result<bool, Fault> {
     let mut apart_m = 0.0;
 
     for sample in 1..=samples {
-        let perfect = quadrature.increment(&course, time_s(sample - 1), time_s(sample));
+        let perfect = quadrature.sample(&course, sample.into(), RATE_HZ);
         let sensed = sensors.emulate(&mut sensor_state, &perfect);
         perfect_single.push(&counter, &perfect)?;
         perfect_precise.push(&counter, &perfect)?;

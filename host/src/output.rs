@@ -33,6 +33,23 @@ pub fn say(text: &str) -> Result<(), InputError> {
     }
 }
 
+/// Bytes of a table beyond which its size is said before it is written.
+const MUCH: u64 = 1_000_000_000;
+
+/// What to say before a table of numbers is written that takes more than a gigabyte: how much.
+pub fn much(path: &Path, rows: u64, columns: usize) -> Option<String> {
+    // Seventeen digits, a sign or a point, and a comma: 18 bytes in the mean of real tables.
+    let bytes = rows.saturating_mul(18 * columns as u64);
+    let (path, size) = (path.display(), bytes as f64 / 1e9);
+    (bytes > MUCH).then(|| format!("schuler: {path} takes about {size:.1} GB"))
+}
+
+/// The same of a table of which rows can be left out, and how.
+pub fn large_table(path: &Path, rows: u64, columns: usize) -> Option<String> {
+    let less = "; --every N keeps every N-th row, --every 1s a row a second";
+    much(path, rows, columns).map(|much| much + less)
+}
+
 /// Writes a whole file at once.
 pub fn write(path: impl AsRef<Path>, content: impl AsRef<[u8]>) -> Result<(), InputError> {
     OutputFile::create(path)?.fill(content)

@@ -1,6 +1,6 @@
 //! Options of `hil`.
 
-use super::{FlightOptions, NavigatorOptions, load};
+use super::{Every, FlightOptions, NavigatorOptions, load};
 use crate::hil::Manner;
 use crate::hil::device::Device;
 use crate::hil::faults::Rates;
@@ -52,6 +52,9 @@ pub struct HilArgs {
     /// Write no report.html and no drift.png
     #[arg(long)]
     pub no_report: bool,
+    /// Rows of drift.csv to write: every N-th sample, or one each S seconds, as in 10s [default: all]
+    #[arg(long, value_name = "N|S", allow_negative_numbers = true, value_parser = Every::parse)]
+    pub every: Option<Every>,
 }
 
 impl HilArgs {

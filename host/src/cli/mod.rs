@@ -1,11 +1,13 @@
 //! The command line: commands, their options, and what they do to a scene.
 
 mod audit;
+mod every;
 mod hil;
 mod options;
 mod start;
 
 pub use audit::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+pub use every::{Every, Sieve};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, NavigatorOptions, Window};
 
@@ -87,6 +89,9 @@ pub struct RunArgs {
     /// Write no report.html and no drift.png
     #[arg(long)]
     pub no_report: bool,
+    /// Rows of drift.csv to write: every N-th sample, or one each S seconds, as in 10s [default: all]
+    #[arg(long, value_name = "N|S", allow_negative_numbers = true, value_parser = Every::parse)]
+    pub every: Option<Every>,
 }
 
 impl RunArgs {

@@ -112,6 +112,12 @@ impl From<Rejected> for Refused {
 }
 
 impl Refused {
+    /// Whether it is the sample that is wrong, not where it leads: what came before it can be flown.
+    pub fn is_of_the_sample(&self) -> bool {
+        let wrong = [Self::Rejected(Rejected::Angle), Self::Rejected(Rejected::Velocity)];
+        *self == Self::Missing || wrong.contains(self)
+    }
+
     /// The error that ends a run at a sample.
     pub fn at(self, sample: u64, source: &Source, gap: Gap) -> FlightError {
         let time_s = source.time_s(sample);

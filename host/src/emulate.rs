@@ -1,7 +1,7 @@
 //! `schuler emulate`: the sensors' stream of a scene as a file.
 
 use crate::cli::EmulateArgs;
-use crate::output::say;
+use crate::output::{much, say};
 use crate::progress::Progress;
 use crate::recording::writer::ImuWriter;
 use crate::simulate::FlightError;
@@ -15,6 +15,9 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
     let progress = Progress::new(scene.samples());
     let create = if args.rates { ImuWriter::rates } else { ImuWriter::increments };
     let mut writer = create(&args.out)?;
+    if let Some(much) = much(&args.out, scene.samples(), ImuWriter::COLUMNS) {
+        eprintln!("{much}; --rate and --duration make it less");
+    }
     let mut written = 0;
     for sample in 1..=scene.samples() {
         let time_s = source.time_s(sample);

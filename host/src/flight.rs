@@ -156,13 +156,30 @@ pub struct LinkReport {
     pub planned_window: Option<WindowShape>,
 }
 
-/// A finished run.
+/// Where a run ended that did not reach its end.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Ended {
+    /// The sample that could not be flown, from 1.
+    pub sample: u64,
+    /// Its end, s.
+    pub time_s: f64,
+    /// Why it could not.
+    pub reason: String,
+    /// Samples that were to be flown.
+    pub planned_samples: u64,
+    /// Seconds that were to be flown.
+    pub planned_duration_s: f64,
+}
+
+/// A finished run, or what was flown of one.
 #[derive(Clone, Debug)]
 pub struct Flight {
     /// The scene as flown, with every override applied.
     pub scene: Scene,
     /// Samples navigated.
     pub samples: u64,
+    /// Where it ended, if early.
+    pub ended: Option<Ended>,
     /// The window flown; `None` for textbook.
     pub window: Option<WindowShape>,
     /// What was skipped.

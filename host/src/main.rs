@@ -2,12 +2,13 @@
 
 use clap::Parser;
 use schuler_host::cli::{Cli, Command};
-use schuler_host::output::say;
+use schuler_host::output::{say, stop};
 use schuler_host::simulate::FlightError;
 use schuler_host::{audit, emulate, ensemble, frontier, hil, replay, run, scene, stress};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    stop::watch();
     let done = match Cli::parse().command() {
         Command::Run(args) => run::run(&args),
         Command::Emulate(args) => emulate::emulate(&args),
@@ -32,6 +33,7 @@ fn main() -> ExitCode {
                 FlightError::Lost { .. }
                 | FlightError::Rejected { .. }
                 | FlightError::Failed { .. }
+                | FlightError::Runs { .. }
                 | FlightError::Stopped(_) => ExitCode::from(1),
             }
         }

@@ -8,7 +8,7 @@ pub use error::{FlightError, Refused};
 pub use log::largest;
 pub use vehicle::Vehicle;
 
-use crate::flight::{Flight, Instant, Nine};
+use crate::flight::{Ended, Flight, Instant, Nine};
 use crate::input::InputError;
 use crate::navigator;
 use crate::plan::Plan;
@@ -22,6 +22,7 @@ use schuler::drift::compare::{Drift, drift};
 use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
+use std::cell::{Cell, RefCell};
 
 /// A scene ready to be flown: all that can be wrong with it has been found.
 pub struct Simulation<'a> {
@@ -46,6 +47,11 @@ impl<'a> Simulation<'a> {
         Ok(Self { scene, source, plan, theory, initial, vehicle: Box::new(navigator) })
     }
 
+    /// Whether theory expects anything at all, so that its columns are not zero throughout.
+    pub fn expects_scatter(&self) -> bool {
+        !self.theory.is_zero()
+    }
+
     /// With something else in place of the navigator: `board` gets the plan and the initial solution.
     pub fn aboard<E>(
         self,
@@ -55,44 +61,80 @@ impl<'a> Simulation<'a> {
         Ok(Self { vehicle, ..self })
     }
 
-    /// Flies it. Every instant is shown to `observe` in order of time; `progress` gets the number of
-    /// samples flown.
+    /// Flies it to its end. Every instant is shown to `observe` in order of time; `progress` gets the
+    /// number of samples flown.
     pub fn fly(
         self,
         observe: &mut dyn FnMut(&Instant) -> Result<(), InputError>,
         progress: &dyn Fn(u64),
     ) -> Result<Flight, FlightError> {
+        let (flight, end) = self.fly_as_far(observe, progress)?;
+        end.map(|()| flight)
+    }
+
+    /// Flies it as far as it goes: what was flown, and what ended it early, if anything. It is an error
+    /// of its own that `observe` fails.
+    pub fn fly_as_far(
+        self,
+        observe: &mut dyn FnMut(&Instant) -> Result<(), InputError>,
+        progress: &dyn Fn(u64),
+    ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
         let Self { scene, source, plan, mut theory, initial, mut vehicle } = self;
         let (samples, gap) = (scene.samples(), scene.navigator.gap);
         let mut log = Log::new(samples, scene.rate_hz);
-        let mut written = Ok(());
+        let (written, flown) = (RefCell::new(Ok(())), Cell::new(0));
         let mut row = |n: u64, computed: &Solution<f64>| {
             let instant = instant(&source, &mut theory, n, computed);
             log.add(n, &instant);
+            flown.set(n);
+            let mut written = written.borrow_mut();
             if written.is_ok() {
-                written = observe(&instant);
+                *written = observe(&instant);
             }
         };
         row(0, &initial);
         let mut stream = source.start(0);
         let mut bridge = Bridge::new(gap.into());
+        let mut end = None;
         for sample in 1..=samples {
             let measured = stream.advance();
             let taken = bridge.take(measured, |increment| {
                 push(vehicle.as_mut(), increment, scene, &source, &mut row)
             });
-            taken.map_err(|refused| refused.at(sample, &source, gap))?;
+            if let Err(refused) = taken {
+                if refused.is_of_the_sample() {
+                    vehicle.break_off(&mut row);
+                }
+                end = Some((sample, refused));
+                break;
+            }
+            if written.borrow().is_err() {
+                break;
+            }
             progress(sample);
         }
-        bridge
-            .finish(|increment| push(vehicle.as_mut(), increment, scene, &source, &mut row))
-            .and_then(|()| vehicle.finish(&mut row))
-            .map_err(|refused| refused.at(samples, &source, gap))?;
-        written?;
+        if end.is_none() {
+            let finished = bridge
+                .finish(|increment| push(vehicle.as_mut(), increment, scene, &source, &mut row))
+                .and_then(|()| vehicle.finish(&mut row));
+            end = finished.err().map(|refused| (samples, refused));
+        }
+        written.into_inner()?;
+        log.finish();
+        let end = end.map(|(sample, refused)| (sample, refused.at(sample, &source, gap)));
+        let ended = end.as_ref().map(|(sample, error)| Ended {
+            sample: *sample,
+            time_s: source.time_s(*sample),
+            reason: error.to_string(),
+            planned_samples: samples,
+            planned_duration_s: scene.duration_s,
+        });
 
-        Ok(Flight {
+        let flight = Flight {
             scene: scene.clone(),
-            samples,
+            samples: flown.get(),
+            time: ended.is_none().then(|| timing::stages(scene, &source, vehicle.navigator())),
+            ended,
             window: plan.flown_window(scene),
             skipped: plan.skipped(scene, &source, vehicle.navigator()),
             digest: format!("{:016x}", vehicle.digest()),
@@ -103,8 +145,8 @@ impl<'a> Simulation<'a> {
             saturated: stream.saturated(),
             lost: bridge.lost().into(),
             link: None,
-            time: Some(timing::stages(scene, &source, vehicle.navigator())),
-        })
+        };
+        Ok((flight, end.map_or(Ok(()), |(_, error)| Err(error))))
     }
 }
 

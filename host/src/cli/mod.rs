@@ -89,6 +89,9 @@ pub struct RunArgs {
     /// Write no report.html and no drift.png
     #[arg(long)]
     pub no_report: bool,
+    /// Rows of drift.csv to write: every N-th sample, or one each S seconds, as in 10s [default: all]
+    #[arg(long, value_name = "N|S", allow_negative_numbers = true, value_parser = Every::parse)]
+    pub every: Option<Every>,
 }
 
 impl RunArgs {

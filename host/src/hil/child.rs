@@ -1,6 +1,7 @@
 //! A device that is another process: its standard input and output are the line.
 
 use super::channel::{Broken, Channel};
+use crate::output::stop::Listed;
 use std::io::{Read, Write};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -10,6 +11,7 @@ use std::time::Duration;
 /// A running child; dropped, it is ended.
 pub struct Process {
     child: Child,
+    _listed: Listed,
     to: ChildStdin,
     from: Receiver<Vec<u8>>,
 }
@@ -22,6 +24,7 @@ impl Process {
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
         let mut child =
             command.spawn().map_err(|error| fault(&format!("cannot be started: {error}")))?;
+        let listed = Listed::process(child.id());
         let (Some(to), Some(mut out)) = (child.stdin.take(), child.stdout.take()) else {
             return Err(fault("has no standard input and output"));
         };
@@ -34,7 +37,7 @@ impl Process {
                 }
             }
         });
-        Ok(Self { child, to, from })
+        Ok(Self { child, _listed: listed, to, from })
     }
 }
 

@@ -266,6 +266,9 @@ impl Vehicle for Lockstep {
         self.end(read).map_err(|parted| self.stop(&parted))?
     }
 
+    // The target has not taken what its twin has not.
+    fn break_off(&mut self, _: &mut Reader) {}
+
     fn integrated(&self) -> u64 {
         self.twin.standing().integrated
     }

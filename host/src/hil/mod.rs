@@ -16,6 +16,7 @@ pub mod injector;
 pub mod lockstep;
 pub mod pace;
 pub mod parted;
+pub mod patience;
 pub mod reply;
 pub mod serve;
 pub mod tally;
@@ -30,7 +31,7 @@ use crate::navigator;
 use crate::output::say;
 use crate::plan::Plan;
 use crate::progress::Progress;
-use crate::report::{self, DriftCsv, link_table};
+use crate::report::{self, FlightFiles, link_table};
 use crate::scene::Scene;
 use crate::simulate::{FlightError, Simulation, Vehicle};
 use crate::source::Source;
@@ -40,13 +41,15 @@ use faults::Rates;
 use injector::Injector;
 use lockstep::{Ended, Lockstep, Log, Parts};
 use pace::Pace;
+use patience::{PATIENCE, Patience};
 use reply::Reply;
 use schuler::link::configuration::Configuration;
 use schuler::link::message::VERSION;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::PoisonError;
+use std::time::Duration;
 use twin::{Beginning, Twin};
 
 /// How often a target is greeted that is just being switched on.
@@ -61,43 +64,59 @@ pub struct Manner {
     pub faults: Option<(Rates, u64)>,
     /// In real time.
     pub stream: bool,
+    /// How long each answer is waited for; by the round trips so far, unless given.
+    pub timeout: Option<Duration>,
 }
 
-/// Flies a scene with a target, prints the drift and the link's table, and writes the files of `run`.
+/// Flies a scene with a target as far as it goes, prints the drift and the link's table, and writes the
+/// files of `run`.
 pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
-    let channel = args.device.open(&args.image)?;
-    let met = meet(channel, args.retries, &args.device.to_string())?;
-    let progress = Progress::new(scene.samples());
-    let mut drift = DriftCsv::create(&directory.join("drift.csv"))?;
     let log = Log::default();
+    let (flight, end) = fly_to_files(args, &scene, &directory, &log).inspect_err(|_| {
+        if let Some(note) = report::files::of_earlier(&directory) {
+            eprintln!("{note}");
+        }
+    })?;
+    let latencies_s = log.lock().unwrap_or_else(PoisonError::into_inner).latencies_s.clone();
+    say(&text(&flight, &latencies_s, &directory.display().to_string()))?;
+    end.and_then(|()| check(&flight))
+}
+
+/// Flies, and puts the files in their places; a flight that does not even begin leaves the link's table.
+fn fly_to_files(
+    args: &HilArgs,
+    scene: &Scene,
+    directory: &Path,
+    log: &Log,
+) -> Result<(Flight, Result<(), FlightError>), FlightError> {
+    let channel = args.device.open(&args.image)?;
+    let device = args.device.to_string();
+    let met = meet(channel, &args.manner(), &device)?;
+    let progress = Progress::new(scene.samples());
+    let mut files = FlightFiles::create(directory, args.every, args.no_report)?;
     let flown =
-        fly(&scene, met, &args.manner(), &log, &mut |instant| drift.row(instant), &|sample| {
+        fly_as_far(scene, met, &args.manner(), log, &mut |instant| files.row(instant), &|sample| {
             progress.reach(sample)
         });
     progress.finish();
-    let ended = log.lock().unwrap_or_else(PoisonError::into_inner).clone();
-    let Ended { tally, latencies_s, planned_window } = ended;
-    let link = LinkReport { planned_window, ..tally.report(args.device.to_string()) };
-    let mut flight = match flown {
-        Ok(flight) => flight,
+    let Ended { tally, planned_window, .. } =
+        log.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    let link = LinkReport { planned_window, ..tally.report(device) };
+    match flown {
+        Ok((flight, end)) => {
+            let flight = Flight { link: Some(link), ..flight };
+            files.finish(&flight)?;
+            Ok((flight, end))
+        }
         Err(error) => {
             if link.frames_sent > 0 {
                 say(&link_table::text(&link))?;
             }
-            return Err(error);
+            Err(error)
         }
-    };
-    flight.link = Some(link);
-    drift.finish()?;
-    if args.no_report {
-        report::summary::write(&flight, &directory)?;
-    } else {
-        report::write(&flight, &directory)?;
     }
-    say(&text(&flight, &latencies_s, &directory.display().to_string()))?;
-    check(&flight)
 }
 
 fn text(flight: &Flight, latencies_s: &[f64], directory: &str) -> String {
@@ -113,10 +132,10 @@ fn text(flight: &Flight, latencies_s: &[f64], directory: &str) -> String {
     if !latencies_s.is_empty() {
         text += &pace::latencies(latencies_s, flight.scene.rate_hz);
     }
-    format!(
-        "{text}Target and twin agree in every bit: digest {}.\nwritten to {directory}\n",
-        flight.digest
-    )
+    if flight.ended.is_none() {
+        text += &format!("Target and twin agree in every bit: digest {}.\n", flight.digest);
+    }
+    format!("{text}written to {directory}\n")
 }
 
 /// Faults that were put in must be noticed, and no others.
@@ -137,8 +156,8 @@ pub struct Met {
     offers: Vec<Configuration>,
 }
 
-/// Flies a scene in step with a target; what happened on the link is left in the log, whatever the
-/// outcome.
+/// Flies a scene in step with a target to its end; what happened on the link is left in the log,
+/// whatever the outcome.
 pub fn fly(
     scene: &Scene,
     met: Met,
@@ -147,6 +166,19 @@ pub fn fly(
     observe: &mut dyn FnMut(&crate::flight::Instant) -> Result<(), InputError>,
     progress: &dyn Fn(u64),
 ) -> Result<Flight, FlightError> {
+    let (flight, end) = fly_as_far(scene, met, manner, log, observe, progress)?;
+    end.map(|()| flight)
+}
+
+/// The same as far as it goes: what was flown, and what ended it early, if anything.
+pub fn fly_as_far(
+    scene: &Scene,
+    met: Met,
+    manner: &Manner,
+    log: &Log,
+    observe: &mut dyn FnMut(&crate::flight::Instant) -> Result<(), InputError>,
+    progress: &dyn Fn(u64),
+) -> Result<(Flight, Result<(), FlightError>), FlightError> {
     let Met { mut conversation, offers } = met;
     let planned = Plan::new(scene, &Source::new(scene, false)?, false).window;
     let configuration = choice::choose(&scene.navigator, planned, &offers)?;
@@ -164,10 +196,10 @@ pub fn fly(
         let lockstep = Lockstep::start(parts, log.clone()).map_err(stopped)?;
         Ok::<Box<dyn Vehicle>, FlightError>(Box::new(lockstep))
     })?;
-    let mut flight = simulation.fly(observe, progress)?;
+    let (mut flight, end) = simulation.fly_as_far(observe, progress)?;
     // What the target has filled in is no more the scene's than what the scene itself has lost.
     flight.lost += log.lock().unwrap_or_else(PoisonError::into_inner).tally.bridged;
-    Ok(flight)
+    Ok((flight, end))
 }
 
 fn parts(
@@ -192,12 +224,21 @@ fn parts(
 }
 
 /// Greets the target at the end of a channel; `device` is what users call it.
-pub fn meet(channel: Box<dyn Channel>, retries: u32, device: &str) -> Result<Met, FlightError> {
-    let mut conversation = Conversation::new(channel, retries);
+pub fn meet(channel: Box<dyn Channel>, manner: &Manner, device: &str) -> Result<Met, FlightError> {
+    // Who is just being switched on takes its time.
+    let greeting = Patience::Fixed(manner.timeout.unwrap_or_default().max(PATIENCE));
+    let mut conversation = Conversation::new(channel, manner.retries).patient(greeting);
     for _ in 0..GREETINGS {
         match conversation.greet().map_err(stopped)? {
             Outcome::Answered(Reply::Hello { version: VERSION, offers }) => {
-                return Ok(Met { conversation, offers });
+                // Where faults are put in, no answer is waited for that does not come, and the clock
+                // must have no say in what happens.
+                let patience = match (manner.timeout, manner.faults) {
+                    (Some(timeout), _) => Patience::Fixed(timeout),
+                    (None, Some(_)) => Patience::Fixed(PATIENCE),
+                    (None, None) => Patience::default(),
+                };
+                return Ok(Met { conversation: conversation.patient(patience), offers });
             }
             Outcome::Answered(Reply::Hello { version, .. }) => {
                 let what = format!("{device} speaks version {version} of the protocol");

@@ -14,6 +14,9 @@ pub struct ImuWriter {
 }
 
 impl ImuWriter {
+    /// Numbers in a row.
+    pub const COLUMNS: usize = INCREMENTS.len();
+
     /// A file of increments.
     pub fn increments(path: impl AsRef<Path>) -> Result<Self, InputError> {
         Ok(Self { table: NumberTable::create(path, &INCREMENTS)? })

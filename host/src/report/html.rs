@@ -3,11 +3,8 @@
 use super::number::{Quantity, parameter, printed};
 use super::page::{self, panel};
 use super::svg::escape;
-use super::{figures, heading, link_table, norm, parameters, table};
+use super::{ended, figures, heading, link_table, norm, parameters, table};
 use crate::flight::Flight;
-use crate::input::InputError;
-use crate::output;
-use std::path::Path;
 
 /// The page.
 pub fn page(flight: &Flight) -> String {
@@ -23,8 +20,9 @@ pub fn page(flight: &Flight) -> String {
         provenance(flight),
     ];
     let body = format!(
-        "<h1>{title}</h1>\n<p class=\"quiet\">{}</p>\n{}{}",
+        "<h1>{title}</h1>\n<p class=\"quiet\">{}</p>\n{}{}{}",
         escape(&heading(flight)),
+        ended(flight).map_or(String::new(), |line| format!("<p><b>{}</b></p>\n", escape(&line))),
         headline(flight),
         sections.concat()
     );
@@ -33,11 +31,6 @@ pub fn page(flight: &Flight) -> String {
 
 /// The file's name.
 pub const NAME: &str = "report.html";
-
-/// Writes `report.html` into a directory.
-pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
-    output::write(directory.join(NAME), page(flight))
-}
 
 fn headline(flight: &Flight) -> String {
     let last = &flight.last;

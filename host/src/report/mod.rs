@@ -11,6 +11,7 @@ pub mod decimate;
 pub mod drift_charts;
 pub mod drift_csv;
 pub mod figures;
+pub mod files;
 pub mod html;
 pub mod link_table;
 pub mod motion_charts;
@@ -26,33 +27,18 @@ pub mod svg;
 pub mod table;
 
 use crate::flight::{Flight, Nine};
-use crate::input::{Complaint, InputError};
-use std::path::Path;
 
 pub use drift_csv::DriftCsv;
+pub use files::FlightFiles;
 pub use table::table;
 
-/// Writes `summary.json`, `drift.png` and `report.html` into a directory. Without the
-/// two for people, call [`summary::write`].
-pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
-    summary::write(flight, directory)?;
-    plot::write(flight, directory)?;
-    html::write(flight, directory)
-}
-
-/// Removes the two for people, which an earlier flight may have left: they would not be of this one.
-pub fn remove_pages(directory: &Path) -> Result<(), InputError> {
-    for name in [plot::NAME, html::NAME] {
-        let path = directory.join(name);
-        match std::fs::remove_file(&path) {
-            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
-                let complaint = Complaint::new(format!("cannot be removed: {error}"), "");
-                return Err(InputError::file(&path.display().to_string(), complaint));
-            }
-            _ => {}
-        }
-    }
-    Ok(())
+/// That a flight did not reach its end, and why, in a line.
+fn ended(flight: &Flight) -> Option<String> {
+    flight.ended.as_ref().map(|ended| {
+        let [flown_s, planned_s] =
+            [flight.last.time_s, ended.planned_duration_s].map(number::parameter);
+        format!("Ended early, after {flown_s} s of {planned_s} s: {}", ended.reason)
+    })
 }
 
 /// The run in one line: scene, length, navigator, seed.

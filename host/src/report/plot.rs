@@ -5,10 +5,7 @@ use super::chart::Frame;
 use super::raster::Raster;
 use super::{drift_charts, heading};
 use crate::flight::Flight;
-use crate::input::{Complaint, InputError};
-use crate::output;
 use std::io;
-use std::path::Path;
 
 const WIDTH: u32 = 1200;
 const HEIGHT: u32 = 900;
@@ -39,16 +36,6 @@ pub fn png(flight: &Flight) -> io::Result<Vec<u8>> {
 
 /// The file's name.
 pub const NAME: &str = "drift.png";
-
-/// Writes `drift.png` into a directory.
-pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
-    let path = directory.join(NAME);
-    let picture = png(flight).map_err(|error| {
-        let complaint = Complaint::new(format!("cannot be drawn: {error}"), "");
-        InputError::file(&path.display().to_string(), complaint)
-    })?;
-    output::write(&path, &picture)
-}
 
 #[cfg(test)]
 mod tests {

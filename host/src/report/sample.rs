@@ -88,6 +88,7 @@ pub fn scaled(scale: f64) -> Flight {
     Flight {
         scene,
         samples: 36_000,
+        ended: None,
         window: Some(WindowShape { history: 2, block: 4, lookahead: 2 }),
         skipped: vec![Skipped {
             what: "accelerometer white noise".to_owned(),

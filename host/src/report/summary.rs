@@ -1,17 +1,16 @@
 //! `summary.json`: a run in numbers, for programs.
 
 use super::{Nine, norm};
-use crate::flight::{Flight, LinkReport};
-use crate::input::InputError;
-use crate::output;
+use crate::flight::{Ended, Flight, LinkReport};
 use crate::scene::WindowShape;
 use serde::Serialize;
-use std::path::Path;
 
 #[derive(Serialize)]
 struct Summary<'a> {
     scene: &'a str,
     samples: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ended: Option<&'a Ended>,
     duration_s: f64,
     rate_hz: f64,
     seed: u64,
@@ -86,7 +85,8 @@ impl<'a> Summary<'a> {
         Self {
             scene: &scene.name,
             samples: flight.samples,
-            duration_s: scene.duration_s,
+            ended: flight.ended.as_ref(),
+            duration_s: if flight.ended.is_some() { flight.last.time_s } else { scene.duration_s },
             rate_hz: scene.rate_hz,
             seed: scene.seed,
             precision: scene.navigator.precision.name(),
@@ -127,10 +127,8 @@ pub fn json(flight: &Flight) -> String {
     text
 }
 
-/// Writes `summary.json` into a directory.
-pub fn write(flight: &Flight, directory: &Path) -> Result<(), InputError> {
-    output::write(directory.join("summary.json"), json(flight))
-}
+/// The file's name.
+pub const NAME: &str = "summary.json";
 
 #[cfg(test)]
 mod tests {
@@ -178,6 +176,27 @@ mod tests {
         assert_eq!(number("error.max.position_m"), flight.max.norms[0]);
         assert!(number("error.final.north_m") < 0.0 && number("error.max.north_m") > 0.0);
         assert_eq!(number("error.max.east_m"), flight.max.components.position_m[1]);
+    }
+
+    #[test]
+    fn a_flight_that_ended_early_says_where_and_why() {
+        let mut flight = sample::flight();
+        let whole: Value = serde_json::from_str(&json(&flight)).unwrap();
+        assert_eq!(whole.get("ended"), None);
+        let reason = "sample 36001 at 1800.05 s: it is lost".to_owned();
+        flight.ended = Some(Ended {
+            sample: 36_001,
+            time_s: 1800.05,
+            reason: reason.clone(),
+            planned_samples: 40_000,
+            planned_duration_s: 2000.0,
+        });
+        flight.scene.duration_s = 2000.0;
+        let tree: Value = serde_json::from_str(&json(&flight)).unwrap();
+        assert_eq!(at(&tree, "ended.sample"), 36_001);
+        assert_eq!(at(&tree, "ended.reason"), &Value::from(reason));
+        assert_eq!(at(&tree, "ended.planned_duration_s"), 2000.0);
+        assert_eq!((&tree["samples"], &tree["duration_s"]), (&36_000.into(), &1800.0.into()));
     }
 
     #[test]

@@ -105,6 +105,7 @@ pub fn table(flight: &Flight) -> String {
         lines.push(line);
     }
     lines.push(String::new());
+    lines.extend(super::ended(flight));
     lines.extend(verdict(flight));
     lines.extend(unit_note(&columns));
     lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()

@@ -38,6 +38,13 @@ pub enum FlightError {
         /// Of how many.
         checks: usize,
     },
+    /// Runs of an ensemble that did not reach their end.
+    Runs {
+        /// How many.
+        failed: usize,
+        /// Of how many.
+        runs: u64,
+    },
     /// A recording, or a device, cannot be navigated beyond this place.
     Stopped(InputError),
 }
@@ -57,6 +64,9 @@ impl fmt::Display for FlightError {
                  navigator.gap = \"bridge\" would fill it from its neighbours"
             ),
             Self::Failed { failed, checks } => write!(f, "{failed} of {checks} checks failed"),
+            Self::Runs { failed, runs } => {
+                write!(f, "{failed} of {runs} runs did not reach their end")
+            }
             Self::Rejected { sample, time_s, why } => {
                 write!(f, "sample {sample} at {time_s} s: {why}")
             }
@@ -112,6 +122,12 @@ impl From<Rejected> for Refused {
 }
 
 impl Refused {
+    /// Whether it is the sample that is wrong, not where it leads: what came before it can be flown.
+    pub fn is_of_the_sample(&self) -> bool {
+        let wrong = [Self::Rejected(Rejected::Angle), Self::Rejected(Rejected::Velocity)];
+        *self == Self::Missing || wrong.contains(self)
+    }
+
     /// The error that ends a run at a sample.
     pub fn at(self, sample: u64, source: &Source, gap: Gap) -> FlightError {
         let time_s = source.time_s(sample);

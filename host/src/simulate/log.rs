@@ -64,6 +64,13 @@ impl Log {
         }
         self.last = *instant;
     }
+
+    /// The end of a run, which may have come early: curves go as far as it.
+    pub fn finish(&mut self) {
+        if self.overview.last().is_none_or(|last| last.time_s < self.last.time_s) {
+            self.overview.push(self.last);
+        }
+    }
 }
 
 /// The larger; a NaN is kept for everyone to see.

@@ -12,6 +12,8 @@ pub trait Vehicle {
     fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Refused>;
     /// Completes the rows that wait for samples.
     fn finish(&mut self, read: &mut Reader) -> Result<(), Refused>;
+    /// The same as far as it can be done after a sample that was not taken.
+    fn break_off(&mut self, read: &mut Reader);
     /// Samples integrated so far.
     fn integrated(&self) -> u64;
     /// Digest of every state so far.
@@ -32,6 +34,10 @@ impl Vehicle for Box<dyn Navigate> {
     fn finish(&mut self, read: &mut Reader) -> Result<(), Refused> {
         self.as_mut().finish(read);
         Ok(())
+    }
+
+    fn break_off(&mut self, read: &mut Reader) {
+        self.as_mut().finish(read);
     }
 
     fn integrated(&self) -> u64 {

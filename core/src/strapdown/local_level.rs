@@ -11,7 +11,7 @@ pub use within::LocalLevelStep;
 
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
-use super::displacement::displacement;
+use super::displacement::{Net, displacement, turned_by};
 use super::frame::{Frame, check_local};
 use super::mechanization::Rejected;
 use super::meridian::{Meridian, curvature};
@@ -45,8 +45,9 @@ pub struct LocalLevel<S: Accumulate> {
     /// ∇ and ∇² of plumb gravity, in the present axes.
     difference: Vector<S::Real>,
     second_difference: Vector<S::Real>,
-    /// ∇³, in the axes it was found in: so small that it need not turn.
+    /// ∇³ and ∇⁴, in the axes they were found in: so small that they need not turn.
     third_difference: Vector<S::Real>,
+    fourth_difference: Vector<S::Real>,
 }
 
 /// γ − γ_e at a latitude and altitude, without cancellation; `curvature` is 1/W − 1.
@@ -103,6 +104,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             difference: Vector::ZERO,
             second_difference: Vector::ZERO,
             third_difference: Vector::ZERO,
+            fourth_difference: Vector::ZERO,
         }
     }
 
@@ -120,14 +122,21 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let meridian = self.meridian();
         let omega = earth::rotation_ned(meridian.sine, meridian.cosine);
 
-        // net = C s + T²(½G̃₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³)
-        let mut fall = nabla * R::of(1.0 / 6.0)
-            + (nabla2 * R::of(0.125) + self.third_difference * R::of(19.0 / 180.0));
+        // net = C s + T²(½G̃₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³ + ³⁄₃₂∇⁴)
+        let sixth = nabla * R::of(1.0 / 6.0);
+        let small = self.third_difference * R::of(19.0 / 180.0)
+            + self.fourth_difference * R::of(3.0 / 32.0);
+        let mut fall = sixth + (nabla2 * R::of(0.125) + small);
         fall.z = fall.z + self.gravity_excess * R::HALF;
-        let mut net = matrix * body.position + fall * time.square;
-        net.z = net.z + time.half_gravity_square.hi + time.half_gravity_square.lo;
+        let mut once = matrix * body.position + fall * time.square;
+        once.z = once.z + time.half_gravity_square.hi + time.half_gravity_square.lo;
+        // ∫net = C∫s + T³(⅙G̃₀ + ¹⁄₂₄∇)
+        let mut fall = sixth * R::of(0.25);
+        fall.z = fall.z + (R::of(EQUATORIAL_GRAVITY) + self.gravity_excess) * R::of(1.0 / 6.0);
+        let twice = matrix * body.position_integral + fall * (time.square * t);
         let low = self.velocity.low_product(time.time, R::ONE);
-        let moved = displacement(velocity, net, omega, t, low, S::TWO_FLOAT);
+        let net = Net { once, twice };
+        let moved = displacement(velocity, &net, omega, t, low, S::TWO_FLOAT);
         let change = meridian.moved(moved.relative);
         let start = Place {
             sine: self.sine.pair(),
@@ -154,16 +163,18 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         self.curvature = curvature(self.sine.value());
         let excess =
             gravity_excess(self.sine.value(), self.position.altitude.value(), self.curvature);
-        // δ, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³
+        // δ, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³, δ⁵ = δ⁴ − ∇⁴
         let delta = self.plumb_change(excess, turn);
         let delta2 = delta - nabla;
         let delta3 = delta2 - nabla2;
         let delta4 = delta3 - self.third_difference;
-        // Δw = C u + T(G̃₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴) − Ω×d,  G̃₁ = G̃₀ + δ
-        let small = delta3 * R::of(1.0 / 24.0) + delta4 * R::of(19.0 / 720.0);
+        // Δw = C u + T(G̃₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴ − ³⁄₁₆₀δ⁵) − Ω×d,  G̃₁ = G̃₀ + δ
+        let delta5 = delta4 - self.fourth_difference;
+        let small = delta3 * R::of(1.0 / 24.0)
+            + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
         let mut mean = delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
         mean.z = mean.z + self.gravity_excess;
-        let drag = omega.cross(moved.inertial);
+        let drag = turned_by(omega, moved.inertial);
         let rest = mean * t - drag;
         let attitude = Attitude::of(self.attitude.pair());
         if S::TWO_FLOAT {
@@ -203,6 +214,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         self.difference = delta + back.turn_less_one(delta);
         self.second_difference = delta2 + back.turn_less_one(delta2);
         self.third_difference = delta3;
+        self.fourth_difference = delta4;
         LocalLevelStep {
             matrix,
             meridian,
@@ -267,6 +279,7 @@ where
         longitude_rest,
         difference,
         second_difference,
-        third_difference
+        third_difference,
+        fourth_difference
     );
 }

@@ -42,11 +42,11 @@ pub struct LocalLevel<S: Accumulate> {
     gravity_excess: S::Real,
     /// What rounding left over from Δλ + ωT; 0 without two-float products.
     longitude_rest: S::Real,
-    /// ∇ and ∇² of plumb gravity, in the present axes.
+    /// ∇, ∇² and ∇³ of plumb gravity, in the present axes.
     difference: Vector<S::Real>,
     second_difference: Vector<S::Real>,
-    /// ∇³ and ∇⁴, in the axes they were found in: so small that they need not turn.
     third_difference: Vector<S::Real>,
+    /// ∇⁴, in the axes it was found in: so small that it need not turn.
     fourth_difference: Vector<S::Real>,
 }
 
@@ -213,7 +213,9 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         }
         self.difference = delta + back.turn_less_one(delta);
         self.second_difference = delta2 + back.turn_less_one(delta2);
-        self.third_difference = delta3;
+        // To first order: a level ∇³ that stood still would leave a vertical one, always the same way.
+        let tilt = back.v.cross(delta3);
+        self.third_difference = delta3 + (tilt + tilt);
         self.fourth_difference = delta4;
         LocalLevelStep {
             matrix,

@@ -36,15 +36,16 @@ pub(super) struct Net<R> {
 }
 
 impl<R: Real> Net<R> {
-    /// Of a = a₀ + ȧt over a time.
+    /// Of a = a₀ + ȧt + ½ät² over a time.
     #[inline(always)]
-    pub fn of_line(a: Vector<R>, rate: Vector<R>, time: R) -> Self {
-        // net = ½a₀t² + ⅙ȧt³,  ∫net = ⅙a₀t³ + ¹⁄₂₄ȧt⁴
+    pub fn of_parabola(a: Vector<R>, rate: Vector<R>, growth: Vector<R>, time: R) -> Self {
+        // net = ½a₀t² + ⅙ȧt³ + ¹⁄₂₄ät⁴,  ∫net = ⅙a₀t³ + ¹⁄₂₄ȧt⁴ + ¹⁄₁₂₀ät⁵
         let t2 = time * time;
-        let sixth = R::of(1.0 / 6.0);
+        let [second, third, fourth, fifth] =
+            [1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0].map(R::of);
         Self {
-            once: (a * R::HALF + rate * (time * sixth)) * t2,
-            twice: (a * sixth + rate * (time * R::of(1.0 / 24.0))) * (t2 * time),
+            once: (a * second + rate * (time * third) + growth * (t2 * fourth)) * t2,
+            twice: (a * third + rate * (time * fourth) + growth * (t2 * fifth)) * (t2 * time),
         }
     }
 }

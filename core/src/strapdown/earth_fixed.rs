@@ -93,15 +93,16 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
     #[inline(never)]
     fn seed(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) {
         self.difference = Vector::ZERO;
-        // G₋ₖ = G(r − kTv + ½(kT)²(a + G₀) − ⅙(kT)³(ȧ + ∇/T)), k = 1, 2, 3, 4
+        // G₋ₖ = G(r − kTv + ½(kT)²(a + G₀) − ⅙(kT)³(ȧ + ∇/T) + ¹⁄₂₄(kT)⁴ä), k = 1, 2, 3, 4
         let matrix = self.attitude.value().matrix(R::ONE);
-        let force = Beginning::of(matrix * body.velocity, matrix * body.position, time.time.hi);
+        let force = Beginning::of(&matrix, body, time.time.hi);
         let acceleration = force.value + self.gravitation;
         for _ in 0..2 {
             let jerk = force.rate + self.difference * (R::ONE / time.time.hi);
             let back = |t: R| {
+                let rest = jerk * R::of(1.0 / 6.0) - force.rate_growth * (t * R::of(1.0 / 24.0));
                 let position = self.position.value() - self.velocity.value() * t
-                    + (acceleration * R::HALF - jerk * (t * R::of(1.0 / 6.0))) * (t * t);
+                    + (acceleration * R::HALF - rest * t) * (t * t);
                 let mut latitude = self.latitude;
                 latitude.gravitation(position)
             };

@@ -4,6 +4,7 @@ use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::mechanization::Rejected;
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
+use crate::math::quaternion::Matrix;
 use crate::math::real::{Real, Scalar};
 use crate::math::vector::Vector;
 use crate::solution::{EarthFixedSolution, Solution};
@@ -48,17 +49,26 @@ pub(super) struct Beginning<R> {
     pub value: Vector<R>,
     /// ȧ, m/s³.
     pub rate: Vector<R>,
+    /// ä, m/s⁴.
+    pub rate_growth: Vector<R>,
 }
 
 impl<R: Real> Beginning<R> {
-    /// The straight line whose first and second integrals over T are u and s.
-    pub fn of(velocity: Vector<R>, position: Vector<R>, time: R) -> Self {
-        // a = 6s/T² − 2u/T,  ȧ = 2(u/T − a)/T
+    /// The parabola whose first, second and third integrals over T are u, s and ∫s, turned by a matrix.
+    pub fn of(matrix: &Matrix<R>, body: &BodyMotion<R>, time: R) -> Self {
+        // With U = u/T, V = s/T² and Z = ∫s/T³: a = 3U − 24V + 60Z,
+        // ȧT = −24U + 168V − 360Z,  äT² = 60U − 360V + 720Z
         let inverse = R::ONE / time;
-        let mean = velocity * inverse;
-        let value = position * (R::of(6.0) * inverse * inverse) - mean - mean;
-        let rise = (mean - value) * inverse;
-        Self { value, rate: rise + rise }
+        let inverse_square = inverse * inverse;
+        let once = *matrix * body.velocity * inverse;
+        let twice = *matrix * body.position * inverse_square;
+        let thrice = *matrix * body.position_integral * (inverse_square * inverse);
+        let sum = |u: f64, v: f64, z: f64| once * R::of(u) + twice * R::of(v) + thrice * R::of(z);
+        Self {
+            value: sum(3.0, -24.0, 60.0),
+            rate: sum(-24.0, 168.0, -360.0) * inverse,
+            rate_growth: sum(60.0, -360.0, 720.0) * inverse_square,
+        }
     }
 }
 

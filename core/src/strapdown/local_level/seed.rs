@@ -15,9 +15,9 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
     /// Sets up ∇ to ∇⁴ as if the block had been flown before, backwards.
     #[inline(never)]
     pub(super) fn seed_gravity(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) {
-        // For k = 1, 2, 3, 4: t = −kT, net = ½t²(a + G̃₀) + ⅙t³(ȧ + ∇/T), then place and frame at t.
+        // For k = 1, 2, 3, 4: t = −kT, net = ½t²(a + G̃₀) + ⅙t³(ȧ + ∇/T) + ¹⁄₂₄t⁴ä, then place and frame at t.
         let matrix = self.attitude.value().matrix(R::ONE);
-        let force = Beginning::of(matrix * body.velocity, matrix * body.position, time.time.hi);
+        let force = Beginning::of(&matrix, body, time.time.hi);
         let mut acceleration = force.value;
         acceleration.z = acceleration.z + (R::of(EQUATORIAL_GRAVITY) + self.gravity_excess);
         let meridian = self.meridian();
@@ -26,7 +26,7 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         for _ in 0..2 {
             let jerk = force.rate + self.difference * (R::ONE / time.time.hi);
             let back = |t: R| {
-                let net = Net::of_line(acceleration, jerk, t);
+                let net = Net::of_parabola(acceleration, jerk, force.rate_growth, t);
                 let v = self.velocity.value();
                 let moved = displacement(v, &net, omega, t, Vector::ZERO, false);
                 let change = meridian.moved(moved.relative);

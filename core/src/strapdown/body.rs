@@ -28,6 +28,8 @@ pub struct BodyMotion<R> {
     pub velocity_low: Vector<R>,
     /// s = ∬ C f dt² in the axes at the start, m.
     pub position: Vector<R>,
+    /// ∫s dt in the axes at the start, m·s; 0 inside a block.
+    pub position_integral: Vector<R>,
 }
 
 /// The sum of a block's increments.
@@ -109,6 +111,19 @@ pub fn integrate<R: Real, const K: usize, const N: usize>(
     // s = (T/2)(R D₊ − D₋ − 2U₋) = (T/2)(2D_odd + 2U_odd − 2U_even + (R − I)D₊)
     let straight = odd.position() + odd.velocity() - even.velocity();
     let position = (straight + straight + turned.map(|c| c.parts().1)) * half_time_s;
-    let motion = BodyMotion { rotation: e, rotation_low, velocity, velocity_low, position };
+    // ∫s over the block, of s₀ = 0, s at the middle −(T/2)(D₋ + U₋), and s and ṡ = u at the end: with
+    // s = ṡ = 0 at the start, ∫s = T(⁷⁄₃₀s + ⁸⁄₁₅s_mid − ¹⁄₆₀Tu) is exact to t⁵ (quintic Hermite).
+    let middle = odd.position() + odd.velocity() - even.position() - even.velocity();
+    let weighed = position * R::of(7.0 / 30.0)
+        + (middle * R::of(8.0 / 15.0) - velocity * R::of(1.0 / 30.0)) * half_time_s;
+    let position_integral = (weighed + weighed) * half_time_s;
+    let motion = BodyMotion {
+        rotation: e,
+        rotation_low,
+        velocity,
+        velocity_low,
+        position,
+        position_integral,
+    };
     (motion, series)
 }

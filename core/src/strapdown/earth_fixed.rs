@@ -35,8 +35,10 @@ pub struct EarthFixed<S: Accumulate> {
     difference: Vector<S::Real>,
     /// ∇² = G₀ − 2G₋₁ + G₋₂.
     second_difference: Vector<S::Real>,
-    /// ∇³ = ∇² − ∇²₋₁, in the axes it was found in: so small that it need not turn.
+    /// ∇³ = ∇² − ∇²₋₁.
     third_difference: Vector<S::Real>,
+    /// ∇⁴, in the axes it was found in: so small that it need not turn.
+    fourth_difference: Vector<S::Real>,
     latitude: Latitude<S::Real>,
 }
 
@@ -85,6 +87,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
             difference: Vector::ZERO,
             second_difference: Vector::ZERO,
             third_difference: Vector::ZERO,
+            fourth_difference: Vector::ZERO,
             latitude,
         }
     }
@@ -92,31 +95,44 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
     #[inline(never)]
     fn seed(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) {
         self.difference = Vector::ZERO;
-        // G₋ₖ = G(r − kTv + ½(kT)²(a + G₀) − ⅙(kT)³(ȧ + ∇/T)), k = 1, 2, 3
+        // G₋ₖ = G(r − kTv + ½(kT)²(a + G₀) − ⅙(kT)³(ȧ + ∇/T) + ¹⁄₂₄(kT)⁴ä), k = 1, 2, 3, 4
         let matrix = self.attitude.value().matrix(R::ONE);
-        let force = Beginning::of(matrix * body.velocity, matrix * body.position, time.time.hi);
+        let force = Beginning::of(&matrix, body, time.time.hi);
         let acceleration = force.value + self.gravitation;
         for _ in 0..2 {
             let jerk = force.rate + self.difference * (R::ONE / time.time.hi);
             let back = |t: R| {
+                let rest = jerk * R::of(1.0 / 6.0) - force.rate_growth * (t * R::of(1.0 / 24.0));
                 let position = self.position.value() - self.velocity.value() * t
-                    + (acceleration * R::HALF - jerk * (t * R::of(1.0 / 6.0))) * (t * t);
+                    + (acceleration * R::HALF - rest * t) * (t * t);
                 let mut latitude = self.latitude;
                 latitude.gravitation(position)
             };
             let (g0, g1) = (self.gravitation, back(time.time.hi));
             let (g2, g3) = (back(R::TWO * time.time.hi), back(R::of(3.0) * time.time.hi));
-            let (nabla, before) = (g0 - g1, (g1 - g2) - (g2 - g3));
-            self.difference = nabla;
-            self.second_difference = nabla - (g1 - g2);
-            self.third_difference = self.second_difference - before;
+            let g4 = back(R::of(4.0) * time.time.hi);
+            let (first, second, third, last) = (g0 - g1, g1 - g2, g2 - g3, g3 - g4);
+            self.difference = first;
+            self.second_difference = first - second;
+            self.third_difference = self.second_difference - (second - third);
+            self.fourth_difference = self.third_difference - ((second - third) - (third - last));
         }
         self.latitude.change = R::ZERO;
     }
 
     fn stretch(&mut self, factor: R) {
-        [self.difference, self.second_difference, self.third_difference] =
-            stretched(factor, self.difference, self.second_difference, self.third_difference);
+        let differences = [
+            self.difference,
+            self.second_difference,
+            self.third_difference,
+            self.fourth_difference,
+        ];
+        [
+            self.difference,
+            self.second_difference,
+            self.third_difference,
+            self.fourth_difference,
+        ] = stretched(factor, differences);
         self.latitude.change = self.latitude.change * factor;
     }
 
@@ -127,23 +143,26 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let matrix = q.matrix(R::ONE);
         let v = self.velocity.value();
         let (g0, nabla, nabla2) = (self.gravitation, self.difference, self.second_difference);
-        // Δr = vT + C s + T²(½G₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³)
-        let fall = g0 * R::HALF
-            + nabla * R::of(1.0 / 6.0)
-            + (nabla2 * R::of(0.125) + self.third_difference * R::of(19.0 / 180.0));
+        // Δr = vT + C s + T²(½G₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³ + ³⁄₃₂∇⁴)
+        let small = self.third_difference * R::of(19.0 / 180.0)
+            + self.fourth_difference * R::of(3.0 / 32.0);
+        let fall =
+            g0 * R::HALF + nabla * R::of(1.0 / 6.0) + (nabla2 * R::of(0.125) + small);
         let moved = v * t
             + (matrix * body.position
                 + fall * time.square
                 + self.velocity.low_product(time.time, R::ONE));
         let position = self.position.value() + moved;
-        // G₁ = G(r + Δr), δ = G₁ − G₀, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³
+        // G₁ = G(r + Δr), δ = G₁ − G₀, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³, δ⁵ = δ⁴ − ∇⁴
         let g1 = self.latitude.gravitation(position);
         let delta = g1 - g0;
         let delta2 = delta - nabla;
         let delta3 = delta2 - nabla2;
         let delta4 = delta3 - self.third_difference;
-        // Δv = C u + T(G₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴)
-        let small = delta3 * R::of(1.0 / 24.0) + delta4 * R::of(19.0 / 720.0);
+        let delta5 = delta4 - self.fourth_difference;
+        // Δv = C u + T(G₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴ − ³⁄₁₆₀δ⁵)
+        let small = delta3 * R::of(1.0 / 24.0)
+            + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
         let mean = g1 - delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
         let gained = matrix * body.velocity + mean * t;
 
@@ -154,7 +173,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         self.gravitation = g1 + turn(g1);
         self.difference = delta + turn(delta);
         self.second_difference = delta2 + turn(delta2);
-        self.third_difference = delta3;
+        self.third_difference = delta3 + turn(delta3);
+        self.fourth_difference = delta4;
         // q ← q_z(−ωT) ⊗ q ⊗ q_bb
         let turned = q * body.rotation;
         let back = turn_back(time.half_turn_sine, time.half_turn_cosine_less_one);
@@ -256,6 +276,7 @@ where
         difference,
         second_difference,
         third_difference,
+        fourth_difference,
         latitude
     );
 }

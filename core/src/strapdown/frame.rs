@@ -5,6 +5,7 @@ use super::body::BodyMotion;
 use super::mechanization::Rejected;
 use super::plausible::Plausible;
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
+use crate::math::quaternion::Matrix;
 use crate::math::real::{Real, Scalar};
 use crate::math::vector::Vector;
 use crate::solution::{EarthFixedSolution, Solution};
@@ -51,37 +52,46 @@ pub(super) struct Beginning<R> {
     pub value: Vector<R>,
     /// ȧ, m/s³.
     pub rate: Vector<R>,
+    /// ä, m/s⁴.
+    pub rate_growth: Vector<R>,
 }
 
 impl<R: Real> Beginning<R> {
-    /// The straight line whose first and second integrals over T are u and s.
-    pub fn of(velocity: Vector<R>, position: Vector<R>, time: R) -> Self {
-        // a = 6s/T² − 2u/T,  ȧ = 2(u/T − a)/T
+    /// The parabola whose first, second and third integrals over T are u, s and ∫s, turned by a matrix.
+    pub fn of(matrix: &Matrix<R>, body: &BodyMotion<R>, time: R) -> Self {
+        // With U = u/T, V = s/T² and Z = ∫s/T³: a = 3U − 24V + 60Z,
+        // ȧT = −24U + 168V − 360Z,  äT² = 60U − 360V + 720Z
         let inverse = R::ONE / time;
-        let mean = velocity * inverse;
-        let value = position * (R::of(6.0) * inverse * inverse) - mean - mean;
-        let rise = (mean - value) * inverse;
-        Self { value, rate: rise + rise }
+        let inverse_square = inverse * inverse;
+        let once = *matrix * body.velocity * inverse;
+        let twice = *matrix * body.position * inverse_square;
+        let thrice = *matrix * body.position_integral * (inverse_square * inverse);
+        let sum = |u: f64, v: f64, z: f64| once * R::of(u) + twice * R::of(v) + thrice * R::of(z);
+        Self {
+            value: sum(3.0, -24.0, 60.0),
+            rate: sum(-24.0, 168.0, -360.0) * inverse,
+            rate_growth: sum(60.0, -360.0, 720.0) * inverse_square,
+        }
     }
 }
 
-/// Backward differences ∇, ∇² and ∇³ for steps that are ρ times as long.
+/// Backward differences ∇, ∇², ∇³ and ∇⁴ for steps that are ρ times as long.
 #[inline(never)]
-pub(super) fn stretched<R: Real>(
-    rho: R,
-    nabla: Vector<R>,
-    nabla2: Vector<R>,
-    nabla3: Vector<R>,
-) -> [Vector<R>; 3] {
-    // Of p(s) = G₀ + s∇ + s(s + 1)/2 ∇² + s(s + 1)(s + 2)/6 ∇³ at 0, −ρ, −2ρ and −3ρ:
-    // ∇ ← ρ(∇ + (1 − ρ)/2 (∇² + (2 − ρ)/3 ∇³)),  ∇² ← ρ²(∇² + (1 − ρ)∇³),  ∇³ ← ρ³∇³
+pub(super) fn stretched<R: Real>(rho: R, differences: [Vector<R>; 4]) -> [Vector<R>; 4] {
+    // Going back by a step is 1 − ∇, by a longer one (1 − ∇)^ρ, and ∇ ← 1 − (1 − ∇)^ρ:
+    // ∇ ← ρ(∇ + (1 − ρ)/2 (∇² + (2 − ρ)/3 (∇³ + (3 − ρ)/4 ∇⁴)))
+    // ∇² ← ρ²(∇² + (1 − ρ)(∇³ + (11 − 7ρ)/12 ∇⁴)),  ∇³ ← ρ³(∇³ + 3(1 − ρ)/2 ∇⁴),  ∇⁴ ← ρ⁴∇⁴
+    let [nabla, nabla2, nabla3, nabla4] = differences;
     let less = R::ONE - rho;
-    let beyond = nabla2 + nabla3 * ((R::TWO - rho) * R::of(1.0 / 3.0));
+    let fourth = nabla3 + nabla4 * ((R::of(3.0) - rho) * R::of(0.25));
+    let third = nabla2 + fourth * ((R::TWO - rho) * R::of(1.0 / 3.0));
+    let bent = nabla3 + nabla4 * ((R::of(11.0) - R::of(7.0) * rho) * R::of(1.0 / 12.0));
     let square = rho * rho;
     [
-        (nabla + beyond * (less * R::HALF)) * rho,
-        (nabla2 + nabla3 * less) * square,
-        nabla3 * (square * rho),
+        (nabla + third * (less * R::HALF)) * rho,
+        (nabla2 + bent * less) * square,
+        (nabla3 + nabla4 * (less * R::of(1.5))) * (square * rho),
+        nabla4 * (square * square),
     ]
 }
 

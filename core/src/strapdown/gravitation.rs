@@ -126,16 +126,15 @@ impl<R: Real> Latitude<R> {
         const A: f64 = SEMI_MAJOR_AXIS;
         const E2: f64 = ECCENTRICITY_SQUARED;
         let (s, c) = (self.sine, self.cosine);
-        // W = √(1 − e²s²), N = a/W, μ = 1/R_M = W³/(a(1 − e²))
+        // W = √(1 − e²s²), N = a/W, R_M = a(1 − e²)/W³
         let w = (R::ONE - R::of(E2) * s * s).sqrt();
         let inverse_w = R::ONE / w;
-        let mu = w * w * w * R::of(1.0 / (A * (1.0 - E2)));
-        // h = pc + zs − aW, stationary in the latitude;  1/(R_M + h) = μ(1 − x + x²), x = μh
+        let w3 = w * w * w;
+        // h = pc + zs − aW, stationary in the latitude;  1/(R_M + h) = W³/(a(1 − e²) + W³h)
         let altitude = p * c + z * s - R::of(A) * w;
-        let x = mu * altitude;
         // e = g/(R_M + h), g = cz − sp + e²N sc the way along the meridian;  h ← h + ½ge
         let along = c * z - s * p + R::of(E2 * A) * inverse_w * s * c;
-        let error = along * mu * (R::ONE - x + x * x);
+        let error = along * w3 / (R::of(A * (1.0 - E2)) + w3 * altitude);
         let altitude = altitude + along * error * R::HALF;
         self.change = self.change + error;
         // s ← s + ec, c ← c − es, both times 1.5 − ½(s² + c²)

@@ -110,6 +110,7 @@ impl<R: Real, const N: usize> Series<R, N> {
             velocity_low: Vector::ZERO,
             velocity,
             position: position * half_time_s,
+            position_integral: Vector::ZERO,
         }
     }
 }

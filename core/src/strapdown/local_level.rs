@@ -12,7 +12,7 @@ pub use within::LocalLevelStep;
 
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
-use super::displacement::displacement;
+use super::displacement::{Net, displacement, turned_by};
 use super::frame::{Frame, check_local, stretched};
 use super::mechanization::Rejected;
 use super::meridian::{Meridian, curvature};
@@ -43,11 +43,12 @@ pub struct LocalLevel<S: Accumulate> {
     gravity_excess: S::Real,
     /// What rounding left over from Δλ + ωT; 0 without two-float products.
     longitude_rest: S::Real,
-    /// ∇ and ∇² of plumb gravity, in the present axes.
+    /// ∇, ∇² and ∇³ of plumb gravity, in the present axes.
     difference: Vector<S::Real>,
     second_difference: Vector<S::Real>,
-    /// ∇³, in the axes it was found in: so small that it need not turn.
     third_difference: Vector<S::Real>,
+    /// ∇⁴, in the axes it was found in: so small that it need not turn.
+    fourth_difference: Vector<S::Real>,
 }
 
 /// γ − γ_e at a latitude and altitude, without cancellation; `curvature` is 1/W − 1.
@@ -104,6 +105,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             difference: Vector::ZERO,
             second_difference: Vector::ZERO,
             third_difference: Vector::ZERO,
+            fourth_difference: Vector::ZERO,
         }
     }
 
@@ -112,8 +114,18 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
     }
 
     fn stretch(&mut self, factor: R) {
-        [self.difference, self.second_difference, self.third_difference] =
-            stretched(factor, self.difference, self.second_difference, self.third_difference);
+        let differences = [
+            self.difference,
+            self.second_difference,
+            self.third_difference,
+            self.fourth_difference,
+        ];
+        [
+            self.difference,
+            self.second_difference,
+            self.third_difference,
+            self.fourth_difference,
+        ] = stretched(factor, differences);
     }
 
     #[inline(always)]
@@ -126,14 +138,21 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let meridian = self.meridian();
         let omega = earth::rotation_ned(meridian.sine, meridian.cosine);
 
-        // net = C s + T²(½G̃₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³)
-        let mut fall = nabla * R::of(1.0 / 6.0)
-            + (nabla2 * R::of(0.125) + self.third_difference * R::of(19.0 / 180.0));
+        // net = C s + T²(½G̃₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³ + ³⁄₃₂∇⁴)
+        let sixth = nabla * R::of(1.0 / 6.0);
+        let small = self.third_difference * R::of(19.0 / 180.0)
+            + self.fourth_difference * R::of(3.0 / 32.0);
+        let mut fall = sixth + (nabla2 * R::of(0.125) + small);
         fall.z = fall.z + self.gravity_excess * R::HALF;
-        let mut net = matrix * body.position + fall * time.square;
-        net.z = net.z + time.half_gravity_square.hi + time.half_gravity_square.lo;
+        let mut once = matrix * body.position + fall * time.square;
+        once.z = once.z + time.half_gravity_square.hi + time.half_gravity_square.lo;
+        // ∫net = C∫s + T³(⅙G̃₀ + ¹⁄₂₄∇)
+        let mut fall = sixth * R::of(0.25);
+        fall.z = fall.z + (R::of(EQUATORIAL_GRAVITY) + self.gravity_excess) * R::of(1.0 / 6.0);
+        let twice = matrix * body.position_integral + fall * (time.square * t);
         let low = self.velocity.low_product(time.time, R::ONE);
-        let moved = displacement(velocity, net, omega, t, low, S::TWO_FLOAT);
+        let net = Net { once, twice };
+        let moved = displacement(velocity, &net, omega, t, low, S::TWO_FLOAT);
         let change = meridian.moved(moved.relative);
         let start = Place {
             sine: self.sine.pair(),
@@ -160,16 +179,18 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         self.curvature = curvature(self.sine.value());
         let excess =
             gravity_excess(self.sine.value(), self.position.altitude.value(), self.curvature);
-        // δ, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³
+        // δ, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³, δ⁵ = δ⁴ − ∇⁴
         let delta = self.plumb_change(excess, turn);
         let delta2 = delta - nabla;
         let delta3 = delta2 - nabla2;
         let delta4 = delta3 - self.third_difference;
-        // Δw = C u + T(G̃₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴) − Ω×d,  G̃₁ = G̃₀ + δ
-        let small = delta3 * R::of(1.0 / 24.0) + delta4 * R::of(19.0 / 720.0);
+        // Δw = C u + T(G̃₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴ − ³⁄₁₆₀δ⁵) − Ω×d,  G̃₁ = G̃₀ + δ
+        let delta5 = delta4 - self.fourth_difference;
+        let small = delta3 * R::of(1.0 / 24.0)
+            + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
         let mut mean = delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
         mean.z = mean.z + self.gravity_excess;
-        let drag = omega.cross(moved.inertial);
+        let drag = turned_by(omega, moved.inertial);
         let rest = mean * t - drag;
         let attitude = Attitude::of(self.attitude.pair());
         if S::TWO_FLOAT {
@@ -208,7 +229,10 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         }
         self.difference = delta + back.turn_less_one(delta);
         self.second_difference = delta2 + back.turn_less_one(delta2);
-        self.third_difference = delta3;
+        // To first order: a level ∇³ that stood still would leave a vertical one, always the same way.
+        let tilt = back.v.cross(delta3);
+        self.third_difference = delta3 + (tilt + tilt);
+        self.fourth_difference = delta4;
         LocalLevelStep {
             matrix,
             meridian,
@@ -273,6 +297,7 @@ where
         longitude_rest,
         difference,
         second_difference,
-        third_difference
+        third_difference,
+        fourth_difference
     );
 }

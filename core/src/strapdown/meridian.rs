@@ -45,7 +45,7 @@ pub struct PlaceChange<R> {
     pub cosine_less_one: R,
     /// What the way east takes from N to leave N′, m: RΔφ = N′ − bend.
     pub(super) inward: R,
-    /// Δh sinΔφ + R_M′Δφ²/2 + (R_M″ − R)Δφ³/6, m.
+    /// Δh sinΔφ + R_M′Δφ²/2 + (R_M″ − R)Δφ³/6 − 7R_M′Δφ⁴/24, m.
     pub(super) bend: R,
 }
 
@@ -112,9 +112,10 @@ impl<R: Real> Meridian<R> {
         let north = north - inward;
         let up = c * outward - down;
         // Δh = U′ + RΔ²/2 + R_M′Δ³/3 + (R_M″/8 − R/24)Δ⁴ + Δh(1 − cosΔ)
-        // Δ = (N′ − Δh sinΔ − R_M′Δ²/2 − (R_M″ − R)Δ³/6)/R
+        // Δ = (N′ − Δh sinΔ − R_M′Δ²/2 − (R_M″ − R)Δ³/6 − (R_M‴/24 − R_M′/8)Δ⁴)/R, R_M‴ ≈ −4R_M′
         let fourth = self.second_slope * R::of(0.125) - self.radius * R::of(1.0 / 24.0);
         let third = (self.second_slope - self.radius) * R::of(1.0 / 6.0);
+        let last = self.slope * R::of(7.0 / 24.0);
         let mut latitude = north * self.inverse_radius;
         let mut altitude = up;
         let mut bend = R::ZERO;
@@ -126,7 +127,7 @@ impl<R: Real> Meridian<R> {
                 + d2 * (self.radius * R::HALF + d * (self.slope * R::of(1.0 / 3.0) + d * fourth))
                 + altitude * versine;
             let sine = d - d * d2 * R::of(1.0 / 6.0);
-            bend = altitude * sine + d2 * (self.slope * R::HALF + d * third);
+            bend = altitude * sine + d2 * (self.slope * R::HALF + d * (third - d * last));
             latitude = (north - bend) * self.inverse_radius;
         }
         let d2 = square(latitude);

@@ -20,7 +20,8 @@ impl<R: Real, S: Accumulate<Real = R>> Plausible for EarthFixed<S> {
             & sum_within(self.attitude.w, one)
             & self.difference.is_within(change)
             & self.second_difference.is_within(change)
-            & self.third_difference.is_within(change);
+            & self.third_difference.is_within(change)
+            & self.fourth_difference.is_within(change);
         in_range
             && check_earth_fixed(position).is_ok()
             && is_attitude(self.attitude.value())

@@ -2,7 +2,7 @@
 
 use super::super::block_time::BlockTime;
 use super::super::body::BodyMotion;
-use super::super::displacement::displacement;
+use super::super::displacement::{Net, displacement, turned_by};
 use super::super::meridian::{Meridian, PlaceChange};
 use super::{LocalLevel, solution};
 use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic};
@@ -49,11 +49,13 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         // net(τ) = C s + T²(τ²G̃₀/2 + τ³b/6 + τ⁴c/12)
         let mut fall = b * (tau * R::of(1.0 / 6.0)) + c * (tau2 * R::of(1.0 / 12.0));
         fall.z = fall.z + g0 * R::HALF;
-        let net = step.matrix * body.position + fall * (time.square * tau2);
+        let once = step.matrix * body.position + fall * (time.square * tau2);
         let velocity = self.velocity.value();
         let t = time.time.hi * tau;
-        let moved =
-            displacement(velocity, net, omega, t, self.velocity.low_product(time.time, tau), false);
+        // A row is the end of nothing: ∫net as of a force that does not change.
+        let net = Net { once, twice: once * (t * R::of(1.0 / 3.0)) };
+        let low = self.velocity.low_product(time.time, tau);
+        let moved = displacement(velocity, &net, omega, t, low, false);
         let change = meridian.moved(moved.relative);
         let turn = meridian.frame_turn(&change, change.longitude + time.turn.hi * tau);
         let mut position = self.position;
@@ -62,7 +64,7 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         // v = v₀ + C u + T(τG̃₀ + τ²b/2 + τ³c/3) − Ω×d(τ), turned by q*
         let mut gained = b * (tau2 * R::HALF) + c * (tau2 * tau * R::of(1.0 / 3.0));
         gained.z = gained.z + g0 * tau;
-        let rest = gained * time.time.hi - omega.cross(moved.inertial);
+        let rest = gained * time.time.hi - turned_by(omega, moved.inertial);
         let gained = step.matrix * body.velocity + rest;
         let back = turn.conjugate();
         let (mut v, mut attitude) = (self.velocity, self.attitude);

@@ -1,5 +1,6 @@
 //! Strapdown mechanization: increments in, position, velocity and attitude out.
 
+pub mod behind;
 pub mod block_time;
 pub mod body;
 mod displacement;
@@ -14,6 +15,7 @@ pub mod local_level;
 pub mod mechanization;
 pub mod meridian;
 pub mod navigator;
+pub mod newton;
 pub mod plan;
 pub mod rk4;
 mod rows;

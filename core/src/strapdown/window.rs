@@ -177,21 +177,21 @@ windows! { $
     /// Three samples.
     H0B3A0 = 0, 3, 0, through 3, 8;
     /// Four samples: cheap, for motion that is slow against the sampling; the microcontroller's.
-    H0B4A0 = 0, 4, 0, through 4, 8;
+    H0B4A0 = 0, 4, 0, through 4, 10;
     /// Six samples.
-    H0B6A0 = 0, 6, 0, through 6, 10;
+    H0B6A0 = 0, 6, 0, through 6, 14;
     /// Two of history: output every two samples without look-ahead.
-    H2B2A0 = 2, 2, 0, behind 4, 8;
+    H2B2A0 = 2, 2, 0, behind 4, 10;
     /// Six samples about a block of two.
-    H2B2A2 = 2, 2, 2, through 6, 8;
+    H2B2A2 = 2, 2, 2, through 6, 14;
     /// Six samples without look-ahead.
-    H2B4A0 = 2, 4, 0, behind 6, 10;
+    H2B4A0 = 2, 4, 0, behind 6, 14;
     /// Eight samples without look-ahead: the most accurate that does not delay.
-    H4B4A0 = 4, 4, 0, behind 8, 10;
+    H4B4A0 = 4, 4, 0, behind 8, 18;
     /// Eight samples about the block, two of delay: for hard motion.
-    H2B4A2 = 2, 4, 2, through 8, 10;
+    H2B4A2 = 2, 4, 2, through 8, 22;
     /// Twelve samples about the block: for vibration at a low rate.
-    H4B4A4 = 4, 4, 4, through 12, 14;
+    H4B4A4 = 4, 4, 4, through 12, 26;
     /// A straight line over eight samples: slow motion at a fraction of the cost.
     Line8 = 0, 8, 0, near 2, 4;
     /// A parabola over twelve samples.

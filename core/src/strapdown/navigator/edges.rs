@@ -16,7 +16,7 @@ use crate::math::real::Real;
 use crate::sample::Increment;
 
 /// Terms of the series of first and last blocks, whatever their window.
-const EDGE_TERMS: usize = 16;
+const EDGE_TERMS: usize = 26;
 /// Samples at most in a stream's last blocks.
 const LAST_BLOCK: usize = 4;
 

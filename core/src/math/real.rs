@@ -38,7 +38,7 @@ pub trait Real: Number + Div<Output = Self> + 'static {
     /// ½.
     const HALF: Self;
     /// 1/n at index n, so that no loop converts or divides at run time; entry 0 is 0.
-    const INVERSE: [Self; 24];
+    const INVERSE: [Self; 28];
 
     /// A literal of the source text, rounded to this type; the compiler folds it.
     fn of(literal: f64) -> Self;
@@ -99,10 +99,10 @@ macro_rules! wrapped_constants {
         const ONE: Self = $wrap(<$inner as $crate::math::real::Real>::ONE);
         const TWO: Self = $wrap(<$inner as $crate::math::real::Real>::TWO);
         const HALF: Self = $wrap(<$inner as $crate::math::real::Real>::HALF);
-        const INVERSE: [Self; 24] = {
-            let mut table = [$wrap(<$inner as $crate::math::real::Real>::ZERO); 24];
+        const INVERSE: [Self; 28] = {
+            let mut table = [$wrap(<$inner as $crate::math::real::Real>::ZERO); 28];
             let mut n = 1;
-            while n < 24 {
+            while n < 28 {
                 table[n] = $wrap(<$inner as $crate::math::real::Real>::INVERSE[n]);
                 n += 1;
             }
@@ -113,9 +113,9 @@ macro_rules! wrapped_constants {
 
 macro_rules! inverse {
     ($t:ty) => {{
-        let mut table = [0.0 as $t; 24];
+        let mut table = [0.0 as $t; 28];
         let mut n = 1;
-        while n < 24 {
+        while n < 28 {
             table[n] = 1.0 / n as $t;
             n += 1;
         }
@@ -133,7 +133,7 @@ macro_rules! scalar {
             const ONE: Self = 1.0;
             const TWO: Self = 2.0;
             const HALF: Self = 0.5;
-            const INVERSE: [Self; 24] = inverse!($t);
+            const INVERSE: [Self; 28] = inverse!($t);
 
             #[inline(always)]
             fn of(literal: f64) -> Self {

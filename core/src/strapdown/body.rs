@@ -49,6 +49,17 @@ impl<R: Real> Sum<R> {
         Self { increment, low: Increment::ZERO, two_float: false }
     }
 
+    /// The sum of increments as it is rounded.
+    #[inline(always)]
+    pub fn plain(samples: &[Increment<R>]) -> Self {
+        let mut sum = Increment::ZERO;
+        for sample in samples {
+            sum.angle_b = sum.angle_b + sample.angle_b;
+            sum.velocity_b = sum.velocity_b + sample.velocity_b;
+        }
+        Self::rounded(sum)
+    }
+
     /// The sum of increments with what rounding drops.
     #[inline(always)]
     pub fn exact(samples: &[Increment<R>]) -> Self {

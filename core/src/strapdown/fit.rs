@@ -194,7 +194,7 @@ const fn product_without(m: usize, h: usize, b: usize, p: usize) -> [i128; MOST_
 }
 
 /// A ratio in lowest terms, divided once.
-const fn rounded(numerator: i128, denominator: i128) -> f64 {
+pub(super) const fn rounded(numerator: i128, denominator: i128) -> f64 {
     let (mut a, mut b) = (numerator.abs(), denominator);
     while b != 0 {
         (a, b) = (b, a % b);

@@ -1,6 +1,7 @@
 //! Strapdown mechanization: increments in, position, velocity and attitude out.
 
 mod abscissae;
+pub mod behind;
 pub mod block_time;
 pub mod body;
 mod displacement;
@@ -15,6 +16,7 @@ pub mod local_level;
 pub mod mechanization;
 pub mod meridian;
 pub mod navigator;
+pub mod newton;
 pub mod plan;
 pub mod plausible;
 pub mod rk4;

@@ -8,6 +8,8 @@ mod edges;
 mod mechanization;
 mod unequal;
 
+pub use edges::Edges;
+
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::frame::Frame;
@@ -47,6 +49,8 @@ pub struct State<F: Frame, W: Window> {
     /// Samples of the block that the gravity history belongs to; 0 before the first.
     pub(super) seeded: usize,
     pub(super) intervals: W::Intervals<F::Real>,
+    /// What the blocks at the edges were fitted through.
+    pub(super) edges: Edges<F::Real>,
 }
 
 impl<F: Frame, W: Window> State<F, W> {
@@ -58,6 +62,11 @@ impl<F: Frame, W: Window> State<F, W> {
     /// Samples integrated since the start: the index of the sample that `output` belongs to.
     pub fn integrated(&self) -> u64 {
         self.integrated
+    }
+
+    /// Samples that the blocks at the edges were fitted through.
+    pub fn edges(&self) -> Edges<F::Real> {
+        self.edges
     }
 }
 
@@ -97,6 +106,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             integrated: 0,
             seeded: 0,
             intervals: W::Intervals::nominal(),
+            edges: Edges::none(),
         })
     }
 
@@ -212,11 +222,25 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     #[inline(always)]
     fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
-        let begin = state.filled - state.pending - W::HISTORY;
-        let window = state.samples.as_ref().get(begin..).unwrap_or(&[]);
-        if let Some((body, series)) =
-            W::integrate::<R>(window, self.block.half, self.order, F::TWO_FLOAT)
-        {
+        let end = state.filled - state.pending + W::BLOCK + W::LOOKAHEAD;
+        let seen = state.samples.as_ref().get(..end).unwrap_or(&[]);
+        let begin = end - W::SAMPLES;
+        if W::LOOKAHEAD == 0 && W::HISTORY > 0 {
+            // Without look-ahead every block is at an edge.
+            if let Some((body, series, used)) =
+                W::integrate_behind::<R>(seen, self.block.half, self.order, F::TWO_FLOAT)
+            {
+                state.edges.last = used;
+                self.step::<false, _>(state, &self.block, &[], W::BLOCK, &body, &series, read);
+            } else {
+                self.edge_block(state, W::HISTORY, W::BLOCK, W::SAMPLES, read);
+            }
+        } else if let Some((body, series)) = W::integrate::<R>(
+            seen.get(begin..).unwrap_or(&[]),
+            self.block.half,
+            self.order,
+            F::TWO_FLOAT,
+        ) {
             self.step::<false, _>(state, &self.block, &[], W::BLOCK, &body, &series, read);
         }
     }

@@ -75,7 +75,7 @@ pub fn window(flight: &Flight) -> Shape {
 pub const UNKNOWN: Shape = (2, 4, 2);
 
 /// An order that no window's series exceeds.
-pub const HIGHEST_ORDER: usize = 20;
+pub const HIGHEST_ORDER: usize = 26;
 
 /// The order of a block's series that reaches the rounding floor, at most: a window may have fewer terms.
 pub fn order(flight: &Flight, (history, block, lookahead): Shape) -> usize {

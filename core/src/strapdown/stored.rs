@@ -2,7 +2,8 @@
 
 use super::body::BodyMotion;
 use super::frame::Frame;
-use super::navigator::State;
+use super::navigator::{Edges, State};
+use super::newton::Used;
 use super::textbook::body::Compensated;
 use super::textbook::{TextbookFrame, TextbookState};
 use super::unequal::Intervals as _;
@@ -23,6 +24,14 @@ impl<R: Record> Record for Compensated<R> {
     record!(rotation, velocity);
 }
 
+impl<R: Record> Record for Used<R> {
+    record!(gyro, accelerometer);
+}
+
+impl<R: Record> Record for Edges<R> {
+    record!(first, last);
+}
+
 impl<F: Frame<Real: Record> + Record, W: Window> Record for State<F, W> {
     fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
         self.frame.record(name, visit);
@@ -34,6 +43,7 @@ impl<F: Frame<Real: Record> + Record, W: Window> Record for State<F, W> {
         self.integrated.record("integrated", visit);
         self.seeded.record("seeded", visit);
         self.intervals.each(|name, number| number.record(name, visit));
+        self.edges.record("edges", visit);
     }
 }
 

@@ -81,6 +81,11 @@ impl<R: Real> Differences<R> {
         self.count
     }
 
+    /// ∇ᵏ at the newest sample, at index k; 0 where it wants more samples.
+    pub(super) fn newest(&self) -> &[Increment<R>; MOST_SAMPLES + 1] {
+        &self.newest
+    }
+
     /// Mean of |∇ᵏx|² over C(2k, k), of gyros (rad²) and of accelerometers (m²/s²); `None` if there are
     /// no more than k samples or k exceeds [`MOST_SAMPLES`].
     pub fn power(&self, k: usize) -> Option<[R; 2]> {

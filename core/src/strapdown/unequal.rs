@@ -6,8 +6,8 @@
 //! window's own; a block with others is integrated on its real abscissae.
 
 use super::body::BodyMotion;
-use super::fit::{Fit, MOST_SAMPLES};
 use super::mechanization::{Mechanization, Rejected};
+use super::newton::Used;
 use super::window::Window;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
@@ -158,11 +158,14 @@ impl<W: Window> Window for Unequal<W> {
         W::samples(fill)
     }
 
-    #[inline]
-    fn first_fit<R: Real>(
-        samples: &[Increment<R>],
-    ) -> Option<(Fit<R, MOST_SAMPLES>, Increment<R>)> {
-        W::first_fit(samples)
+    #[inline(always)]
+    fn integrate_behind<R: Real>(
+        seen: &[Increment<R>],
+        half_time_s: R,
+        order: usize,
+        two_float: bool,
+    ) -> Option<(BodyMotion<R>, Self::Series<R>, Used<R>)> {
+        W::integrate_behind(seen, half_time_s, order, two_float)
     }
 
     #[inline(always)]

@@ -4,10 +4,12 @@
 //! look-ahead, which delay the output. Wider windows follow faster motion; a straight line or a
 //! parabola over a long block is the cheapest for slow motion.
 
+use super::behind;
 use super::body::{BodyMotion, Sum, integrate};
 use super::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
 use super::inside::BlockSeries;
 use super::least_squares::least_squares;
+use super::newton::Used;
 use super::series::Series;
 use super::unequal::{Intervals, Kept, Nominal};
 use crate::math::real::Real;
@@ -55,11 +57,6 @@ pub trait Window: Copy + Default + 'static {
     /// The room, filled.
     fn samples<T: Copy>(fill: T) -> Self::Samples<T>;
 
-    /// The fit of the first block and its sum, where a window wants history; `None` if it wants none or
-    /// the samples are fewer than [`Window::FIRST`].
-    fn first_fit<R: Real>(samples: &[Increment<R>])
-    -> Option<(Fit<R, MOST_SAMPLES>, Increment<R>)>;
-
     /// Integrates the block within the window's samples by a series up to σ^`order`; `None` if the
     /// samples are too few. With `two_float` the motion comes with what rounding drops from it.
     fn integrate<R: Real>(
@@ -68,6 +65,15 @@ pub trait Window: Copy + Default + 'static {
         order: usize,
         two_float: bool,
     ) -> Option<(BodyMotion<R>, Self::Series<R>)>;
+
+    /// The same with a window that looks back alone, at the end of the samples, through as many of them
+    /// as they support; `None` if those seen are too few to say.
+    fn integrate_behind<R: Real>(
+        seen: &[Increment<R>],
+        half_time_s: R,
+        order: usize,
+        two_float: bool,
+    ) -> Option<(BodyMotion<R>, Self::Series<R>, Used<R>)>;
 }
 
 /// How a window's samples are fitted: by the polynomial through them all, or by a line or parabola.
@@ -77,9 +83,27 @@ macro_rules! fit {
         const DOUBLE: &[[f64; $k]; $k] = &table_f64::<$k>($h, $b);
         Fit::of($samples, $h, $b, SINGLE, DOUBLE)
     }};
+    (behind, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {
+        fit!(through, $k, $h, $b, $a, $samples)
+    };
     (near, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {
         least_squares::<R, $k>($samples)
     };
+}
+
+/// How a window that looks back alone is fitted to the samples seen: through as many as they support.
+macro_rules! supported {
+    (behind, $k:literal, $b:literal, $seen:ident) => {{
+        const SINGLE: &[[f32; $k]; $k] = &behind::table_f32::<$k>($b);
+        const DOUBLE: &[[f64; $k]; $k] = &behind::table_f64::<$k>($b);
+        const WEIGHTS: &[f32; $k] = &behind::weights::<$k>($b);
+        let seen = $seen.last_chunk::<{ behind::SEEN }>()?;
+        Some((behind::behind::<R, $k>(seen, $b, SINGLE, DOUBLE, WEIGHTS), seen.last_chunk::<$b>()?))
+    }};
+    ($other:ident, $k:literal, $b:literal, $seen:ident) => {{
+        let _ = $seen;
+        None::<((Fit<R, $k>, Used<R>), &[Increment<R>; $b])>
+    }};
 }
 
 macro_rules! windows {
@@ -106,17 +130,6 @@ macro_rules! windows {
                     [fill; capacity($h, $b, $a)]
                 }
 
-                #[inline]
-                fn first_fit<R: Real>(
-                    samples: &[Increment<R>],
-                ) -> Option<(Fit<R, MOST_SAMPLES>, Increment<R>)> {
-                    const SINGLE: &[[f32; MOST_SAMPLES]; MOST_SAMPLES] = &table_f32(0, $b);
-                    const DOUBLE: &[[f64; MOST_SAMPLES]; MOST_SAMPLES] = &table_f64(0, $b);
-                    const { assert!($h == 0 || Self::FIRST == MOST_SAMPLES) };
-                    let samples = samples.first_chunk::<MOST_SAMPLES>().filter(|_| $h > 0)?;
-                    Some(Fit::of(samples, 0, $b, SINGLE, DOUBLE))
-                }
-
                 #[inline(always)]
                 fn integrate<R: Real>(
                     samples: &[Increment<R>],
@@ -129,6 +142,20 @@ macro_rules! windows {
                     let (fit, sum) = fit!($fit, $k, $h, $b, $a, samples);
                     let sum = if two_float { Sum::exact(block) } else { Sum::rounded(sum) };
                     Some(integrate::<R, $k, { $m + 1 }>(&fit, &sum, half_time_s, order))
+                }
+
+                #[inline(always)]
+                fn integrate_behind<R: Real>(
+                    seen: &[Increment<R>],
+                    half_time_s: R,
+                    order: usize,
+                    two_float: bool,
+                ) -> Option<(BodyMotion<R>, Self::Series<R>, Used<R>)> {
+                    let ((fit, used), block) = supported!($fit, $k, $b, seen)?;
+                    let sum = if two_float { Sum::exact(block) } else { Sum::plain(block) };
+                    let (body, series) =
+                        integrate::<R, $k, { $m + 1 }>(&fit, &sum, half_time_s, order);
+                    Some((body, series, used))
                 }
             }
         )+
@@ -159,21 +186,21 @@ windows! { $
     /// Three samples.
     H0B3A0 = 0, 3, 0, through 3, 8;
     /// Four samples: cheap, for motion that is slow against the sampling; the microcontroller's.
-    H0B4A0 = 0, 4, 0, through 4, 8;
+    H0B4A0 = 0, 4, 0, through 4, 10;
     /// Six samples.
-    H0B6A0 = 0, 6, 0, through 6, 10;
+    H0B6A0 = 0, 6, 0, through 6, 14;
     /// Two of history: output every two samples without look-ahead.
-    H2B2A0 = 2, 2, 0, through 4, 8;
+    H2B2A0 = 2, 2, 0, behind 4, 10;
     /// Six samples about a block of two.
-    H2B2A2 = 2, 2, 2, through 6, 8;
+    H2B2A2 = 2, 2, 2, through 6, 14;
     /// Six samples without look-ahead.
-    H2B4A0 = 2, 4, 0, through 6, 10;
+    H2B4A0 = 2, 4, 0, behind 6, 14;
     /// Eight samples without look-ahead: the most accurate that does not delay.
-    H4B4A0 = 4, 4, 0, through 8, 10;
+    H4B4A0 = 4, 4, 0, behind 8, 18;
     /// Eight samples about the block, two of delay: for hard motion.
-    H2B4A2 = 2, 4, 2, through 8, 10;
+    H2B4A2 = 2, 4, 2, through 8, 22;
     /// Twelve samples about the block: for vibration at a low rate.
-    H4B4A4 = 4, 4, 4, through 12, 14;
+    H4B4A4 = 4, 4, 4, through 12, 26;
     /// A straight line over eight samples: slow motion at a fraction of the cost.
     Line8 = 0, 8, 0, near 2, 4;
     /// A parabola over twelve samples.

@@ -1,19 +1,22 @@
 //! The first and the last blocks of a stream, which want samples that are not there.
 //!
-//! Their windows are rare: the fit is made at run time, and the series is the longest for all.
+//! Their windows are rare: the fit is made at run time, through as many samples as they themselves
+//! support, and the series is the longest for all.
 
 use super::super::block_time::BlockTime;
 use super::super::body::{self, BodyMotion, Sum};
 use super::super::fit::{Fit, MOST_SAMPLES};
 use super::super::frame::Frame;
+use super::super::newton::{self, Used};
 use super::super::rows::Read;
 use super::super::series::Series;
-use super::super::window::{LINE_LAST_SAMPLES, Window};
+use super::super::window::{LINE_LAST_SAMPLES, Shape, Window};
 use super::{State, Strapdown};
 use crate::math::real::Real;
+use crate::sample::Increment;
 
 /// Terms of the series of first and last blocks, whatever their window.
-const EDGE_TERMS: usize = 16;
+const EDGE_TERMS: usize = 26;
 /// Samples at most in a stream's last blocks.
 const LAST_BLOCK: usize = 4;
 
@@ -37,8 +40,37 @@ pub(super) fn step<F: Frame>(
     frame.step(time, body)
 }
 
+/// Samples that gyros and accelerometers were fitted through, each as many as they support: zeros
+/// before there was such a block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Edges<R> {
+    /// In the first block, where its window wants history.
+    pub first: Used<R>,
+    /// In the latest block at the end of a stream, or with a window that looks back alone.
+    pub last: Used<R>,
+}
+
+impl<R: Real> Edges<R> {
+    /// Before any.
+    pub(super) fn none() -> Self {
+        Self { first: Used::both(0), last: Used::both(0) }
+    }
+}
+
+/// The fit of a block at an edge and its sum: one code for all frames, windows and readers.
+#[inline(never)]
+fn fit<R: Real>(
+    samples: &[Increment<R>],
+    shape: Shape,
+    begin: usize,
+) -> (Fit<R, MOST_SAMPLES>, Used<R>) {
+    newton::at_edge(samples, shape, begin)
+}
+
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
-    /// A block of `block` samples within the window of `all` samples that starts `history` before it.
+    /// A block of `block` samples within the window of at most `all` samples that starts `history`
+    /// before it.
     #[inline(never)]
     pub(super) fn edge_block(
         &self,
@@ -52,15 +84,21 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             let lookahead = all.saturating_sub(history + block);
             return self.unequal_block(state, (history, block, lookahead), true, read);
         }
-        let is_first = history == 0 && block == W::BLOCK && all == W::FIRST;
-        let begin = state.filled.saturating_sub(state.pending + history);
+        let past = state.filled.saturating_sub(state.pending);
+        let begin = past.saturating_sub(history);
         let samples = state.samples;
-        let window = samples.as_ref().get(begin..begin + all).unwrap_or(&[]);
-        let own = window.get(history..history + block).unwrap_or(&[]);
+        let stored = samples.as_ref().get(..state.filled).unwrap_or(&[]);
+        let own = stored.get(past..past + block).unwrap_or(&[]);
+        let lookahead = all.saturating_sub(history + block);
         let time = BlockTime::new(self.interval, block);
-        let first = if is_first { W::first_fit(window) } else { None };
-        let (fit, sum) = first.unwrap_or_else(|| Fit::of_any(window, history, block));
-        let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::rounded(sum) };
+        let (fit, used) = fit(stored, (history, block, lookahead), begin);
+        let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::plain(own) };
+        if state.integrated == 0 && W::HISTORY > 0 {
+            state.edges.first = used;
+        }
+        if lookahead < W::LOOKAHEAD || W::LOOKAHEAD == 0 {
+            state.edges.last = used;
+        }
         let (body, series) = integrate(&fit, &sum, time.half);
         self.step::<true, _>(state, &time, &[], block, &body, &series, read);
     }
@@ -75,9 +113,11 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             } else {
                 W::SAMPLES.max(LAST_BLOCK)
             };
-            let lookahead = (state.pending - block).min(most - block);
+            // As much history as look-ahead, where there is as much of both.
+            let (beside, after) = (most - block, state.pending - block);
             let past = state.filled - state.pending;
-            let history = past.min(most - block - lookahead);
+            let history = past.min((beside / 2).max(beside.saturating_sub(after)));
+            let lookahead = after.min(beside - history);
             self.edge_block(state, history, block, history + block + lookahead, read);
         }
     }

@@ -19,3 +19,4 @@ mod record;
 mod rejects;
 mod starts;
 mod stream;
+mod unequal;

@@ -20,3 +20,4 @@ mod rejects;
 mod restored;
 mod starts;
 mod stream;
+mod unequal;

@@ -95,8 +95,11 @@ fn supported(nodes: &[Node]) -> usize {
     for node in nodes.iter().take(AHEAD) {
         differences.add(&node.rates);
     }
-    let most = POINTS.min(nodes.len());
     // Without a rate beyond them, points are all that is known.
+    let most = POINTS.min(nodes.len());
+    if nodes.len() <= POINTS {
+        return most;
+    }
     let error = |points: usize| -> Option<f64> {
         let reference = differences.power(0)?;
         let power = differences.power(points)?;

@@ -12,8 +12,14 @@ use std::f64::consts::TAU;
 
 /// Windows that a recording may be flown with, the shortest first.
 pub const CANDIDATES: [Shape; 3] = [(0, 4, 0), (2, 4, 2), (4, 4, 4)];
-/// How much better than a shorter window's a longer one's estimate must be: the estimates are good to that.
-const CLEARLY: f64 = 1.2;
+/// How much better than a shorter window's a longer one's estimate must be.
+const CLEARLY: f64 = 1.1;
+/// Changes from sample to sample below this part of the samples themselves are the rounding of numbers.
+const ROUNDING: f64 = 1e-9;
+/// How far above that of noise a mean |∇ᵏ|²/C(2k, k) must be to tell of motion.
+const STANDS_OUT: f64 = 10.0;
+/// White noise has the same mean |∇ᵏ|²/C(2k, k) in every order, up to chance.
+const LIKE_NOISE: f64 = 0.07;
 /// Of one order to the next, differences fall by at least this where motion is resolved.
 const FALLS: f64 = 0.8;
 
@@ -33,7 +39,9 @@ pub enum Motion {
     None,
     /// The fastest that is resolved: samples per cycle.
     Resolved(f64),
-    /// What there is is noise, or as fast as this: samples per cycle.
+    /// What there is looks like white noise.
+    Noise,
+    /// What there is is faster than any window resolves: samples per cycle.
     Unresolved(f64),
 }
 
@@ -55,18 +63,23 @@ impl Measure {
         }
     }
 
-    /// Mean of |∇ᵏ|² over C(2k, k) of gyros and accelerometers, each against its ∇⁴: their sum.
-    fn power(&self, k: usize) -> Option<f64> {
-        let mean = |k: usize| {
-            let count = *self.counts.get(k)?;
-            (count > 0.0).then(|| self.sums[k].map(|sum| sum / count))
-        };
-        let (power, reference) = (mean(k)?, mean(CANDIDATES[0].1)?);
-        let parts = power.iter().zip(reference).filter(|(_, reference)| *reference > 0.0);
-        Some(parts.map(|(power, reference)| power / reference).sum())
+    /// Mean of |∇ᵏ|² over C(2k, k), of gyros and of accelerometers.
+    fn mean(&self, k: usize) -> Option<[f64; 2]> {
+        let count = *self.counts.get(k)?;
+        (count > 0.0).then(|| self.sums[k].map(|sum| sum / count))
     }
 
-    /// The window of the least estimated error, a shorter one unless a longer is clearly better.
+    /// The same of both together, each against its ∇⁴; zero where nothing moves.
+    fn power(&self, k: usize) -> Option<f64> {
+        let [itself, change] = [self.mean(0)?, self.mean(1)?];
+        let parts = self.mean(k)?.into_iter().zip(self.mean(CANDIDATES[0].1)?).enumerate();
+        let moves = |i: usize| change[i] > ROUNDING * ROUNDING * itself[i];
+        let parts = parts.filter(|(i, (_, reference))| moves(*i) && *reference > 0.0);
+        Some(parts.map(|(_, (power, reference))| power / reference).sum())
+    }
+
+    /// The window of the least estimated error, a shorter one unless a longer is clearly better; none where
+    /// nothing moves.
     pub fn window(&self) -> Option<Shape> {
         let error = |shape: Shape| {
             let power = self.power(shape.0 + shape.1 + shape.2)?;
@@ -79,20 +92,32 @@ impl Measure {
         CANDIDATES.get(found).copied()
     }
 
-    /// The fastest motion: |∇ᵏ⁺¹|/|∇ᵏ| = 2 sin(x/2) for motion of a phase x per sample.
+    /// The fastest motion: |∇ᵏ⁺¹|/|∇ᵏ| = 2 sin(x/2) for motion of a phase x per sample. Samples themselves
+    /// (k = 0) have a mean, which is no motion.
     pub fn motion(&self) -> Motion {
+        let last = |k: usize| self.power(MOST_SAMPLES - k).unwrap_or(0.0);
+        // Where the differences end flat, that is noise.
+        let floor = if last(0) > FALLS * FALLS * last(1) { last(0) } else { 0.0 };
+        // How much less than noise's the next difference is, and the ratio itself without the noise.
         let step = |k: usize| -> Option<(f64, f64)> {
             let (before, after) = (self.power(k - 1)?, self.power(k)?);
+            let stands_out = after > STANDS_OUT * floor;
+            let noise = if stands_out { floor } else { 0.0 };
+            let fall = ((after - noise) / (before - noise)).sqrt();
+            let resolved = if stands_out { fall } else { 1.0 };
             // C(2k, k)/C(2k − 2, k − 1) = (4k − 2)/k
-            let ratio = (after / before * (4 * k - 2) as f64 / k as f64).sqrt();
-            (before > 0.0).then_some(((after / before).sqrt(), ratio))
+            (before > 0.0).then(|| (resolved, fall * ((4 * k - 2) as f64 / k as f64).sqrt()))
         };
         let cycle = |ratio: f64| TAU / (2.0 * (0.5 * ratio).min(1.0).asin());
-        let steps: Vec<_> = (1..=12).map_while(step).collect();
+        let steps: Vec<_> = (2..=12).map_while(step).collect();
         let fell = steps.iter().rposition(|(fall, _)| *fall < FALLS);
+        let powers: Vec<_> = (1..=12).map_while(|k| self.power(k)).collect();
+        let noise =
+            || powers.windows(2).all(|p| ((p[1] / p[0]).sqrt() - 1.0).abs() < LIKE_NOISE);
         match (fell, steps.last()) {
             (_, None) => Motion::None,
             (Some(k), _) => Motion::Resolved(cycle(steps[k].1)),
+            _ if noise() => Motion::Noise,
             (None, Some((_, ratio))) => Motion::Unresolved(cycle(*ratio)),
         }
     }

@@ -12,7 +12,6 @@
 
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::strapdown::support::Differences;
 use std::collections::VecDeque;
 
 /// Instants that a polynomial goes through.
@@ -91,20 +90,47 @@ impl<T> Quadrature<T> {
 
 /// How many of the first rates the sample before them is extrapolated from.
 fn supported(nodes: &[Node]) -> usize {
-    let mut differences = Differences::new();
-    for node in nodes.iter().take(AHEAD) {
-        differences.add(&node.rates);
-    }
-    let most = POINTS.min(nodes.len());
+    let nodes = &nodes[..AHEAD.min(nodes.len())];
     // Without a rate beyond them, points are all that is known.
-    let error = |points: usize| -> Option<f64> {
-        let reference = differences.power(0)?;
-        let power = differences.power(points)?;
-        let parts = power.iter().zip(reference).filter(|(_, reference)| *reference > 0.0);
-        Some(GAINS[points - 1].powi(2) * parts.map(|(power, reference)| power / reference).sum::<f64>())
+    let most = POINTS.min(nodes.len());
+    let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { return most };
+    if nodes.len() <= POINTS {
+        return most;
+    }
+    let step_s = (last.time_s - first.time_s) / (nodes.len() - 1) as f64;
+    let powers = |values: &[Increment<f64>]| {
+        let count = values.len() as f64;
+        let sum = |part: fn(&Increment<f64>) -> Vector<f64>| {
+            values.iter().map(|value| part(value).dot(part(value))).sum::<f64>() / count
+        };
+        [sum(|value| value.angle_b), sum(|value| value.velocity_b)]
     };
-    let errors = (1..=most).filter_map(|points| Some((error(points)?, points)));
-    errors.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(most, |(_, points)| points)
+    // Divided differences, k! hᵏ f[t₀ … tₖ]: those of even steps are ∇ᵏf.
+    let mut values: Vec<_> = nodes.iter().map(|node| node.rates).collect();
+    let references = powers(&values);
+    let (mut least, mut found, mut of_noise) = (f64::INFINITY, 1, 1.0);
+    for points in 1..=most {
+        for i in 0..values.len() - 1 {
+            let span_s = nodes[i + points].time_s - nodes[i].time_s;
+            let scale = points as f64 * step_s / span_s;
+            let (a, b) = (values[i], values[i + 1]);
+            values[i] = Increment {
+                angle_b: (b.angle_b - a.angle_b) * scale,
+                velocity_b: (b.velocity_b - a.velocity_b) * scale,
+            };
+        }
+        values.pop();
+        // C(2k, k)
+        of_noise *= (4 * points - 2) as f64 / points as f64;
+        let parts = powers(&values).into_iter().zip(references);
+        let parts = parts.filter(|(_, reference)| *reference > 0.0);
+        let power: f64 = parts.map(|(power, reference)| power / reference).sum();
+        let error = GAINS[points - 1].powi(2) * power / of_noise;
+        if error < least {
+            (least, found) = (error, points);
+        }
+    }
+    found
 }
 
 /// The integral of the polynomial through some rates.

@@ -88,11 +88,15 @@ impl Survey {
         let [own, over_steps] = reading.measures;
         let (measure, start_s, end_s) = match clock {
             Clock::Even { interval_s, first_s, coarse } => {
-                let end_s = if coarse { first_s + reading.judge.spanned(interval_s) } else { reading.last_s };
-                (own, reading.first_s - interval_s, end_s)
+                // Where stamps are not rounded they are the rounder numbers.
+                let off_s = (first_s - reading.first_s).abs();
+                let first_end_s = if off_s < 1e-9 { reading.first_s } else { first_s };
+                let last_s = first_s + reading.judge.spanned(interval_s);
+                let end_s = if coarse { last_s } else { reading.last_s };
+                (own, rounded(first_end_s - interval_s), end_s)
             }
             Clock::Stamps { interval_s } => {
-                (over_steps, reading.first_s - interval_s, reading.last_s)
+                (over_steps, rounded(reading.first_s - interval_s), reading.last_s)
             }
         };
         Ok(Self {
@@ -135,6 +139,11 @@ impl Survey {
     }
 }
 
+/// To the nanosecond, for people.
+fn rounded(time_s: f64) -> f64 {
+    (time_s * 1e9).round() / 1e9
+}
+
 impl Reading {
     fn of(
         recording: &Recording,
@@ -148,21 +157,26 @@ impl Reading {
         let mut before_s = None;
         while let Some(row) = timeline.next()? {
             judge.add(&row, before_s);
-            let step_s = before_s.map_or(habits.step_s, |before_s| row.time_s - before_s);
             let inside = row.time_s > from_s && row.time_s <= until_s;
             if !row.whole || !inside || row.missing > 0 {
                 measures.iter_mut().for_each(Measure::cut);
             }
             if row.whole && inside {
-                let per_second = match recording.kind {
-                    Kind::Increments if step_s > 0.0 => 1.0 / step_s,
-                    _ => 1.0,
-                };
-                let Increment { angle_b, velocity_b } = row.values;
-                let rates =
-                    Increment { angle_b: angle_b * per_second, velocity_b: velocity_b * per_second };
-                measures[0].add(&row.values);
-                measures[1].add(&rates);
+                let [own, over_steps] = &mut measures;
+                own.add(&row.values);
+                let step_s = before_s.map(|before_s| row.time_s - before_s);
+                match (recording.kind, step_s.filter(|step_s| *step_s > 0.0)) {
+                    (Kind::Rates, _) => over_steps.add(&row.values),
+                    (Kind::Increments, Some(step_s)) => {
+                        let Increment { angle_b, velocity_b } = row.values;
+                        let per_second = (1 + row.missing) as f64 / step_s;
+                        over_steps.add(&Increment {
+                            angle_b: angle_b * per_second,
+                            velocity_b: velocity_b * per_second,
+                        });
+                    }
+                    (Kind::Increments, None) => over_steps.cut(),
+                }
             }
             if rows == 0 {
                 first_s = row.time_s;
@@ -189,8 +203,9 @@ impl Survey {
             Motion::Resolved(samples) => {
                 format!("the fastest motion that is resolved has {samples:.1} samples per cycle")
             }
+            Motion::Noise => "what moves looks like noise".to_owned(),
             Motion::Unresolved(samples) => {
-                format!("no motion is resolved: noise, or {samples:.1} samples per cycle")
+                format!("the fastest motion has {samples:.1} samples per cycle, too few to resolve it")
             }
         }
     }

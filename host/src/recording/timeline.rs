@@ -164,9 +164,10 @@ impl Timeline {
     fn missing(&self, time_s: f64) -> u64 {
         let Some((last_s, n)) = self.last else { return 0 };
         let step_s = time_s - last_s;
-        let usual_s = if self.habits.coarse { self.step_s } else { self.step_s.max(self.coming()) };
-        let coarseness = if self.habits.coarse { 4.0 } else { 0.5 } * self.habits.spread_s;
-        if step_s <= 1.5 * usual_s + coarseness {
+        let Habits { coarse, distinct_s, spread_s, .. } = self.habits;
+        let usual_s = if coarse { self.step_s } else { self.step_s.max(self.coming()) };
+        let rounding_s = if coarse { distinct_s } else { 0.5 * spread_s };
+        if step_s <= 1.5 * usual_s + rounding_s {
             return 0;
         }
         // Over all rows so far a step is known better than from a few, unless it changes.

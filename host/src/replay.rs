@@ -1,6 +1,7 @@
 //! `schuler replay`: navigates a recorded stream.
 
 use crate::cli::ReplayArgs;
+use crate::high::Highest;
 use crate::input::{Complaint, InputError};
 use crate::navigator::{self, Unavailable};
 use crate::output::say;
@@ -163,6 +164,7 @@ fn fly(
         writer: NavigationWriter::create(out)?,
         times_s: VecDeque::new(),
         last: (start.time_s, initial),
+        highest: Highest::default(),
         written: Ok(()),
     };
     let progress = Progress::new(flown.len() as u64);
@@ -185,6 +187,9 @@ fn fly(
     progress.finish();
     rows.written?;
     rows.writer.finish()?;
+    if let Some(neglected) = rows.highest.neglected() {
+        say(&neglected.line())?;
+    }
     Ok(rows.last)
 }
 
@@ -194,12 +199,14 @@ struct Rows {
     /// Times of the rows that are still to come.
     times_s: VecDeque<f64>,
     last: (f64, Solution<f64>),
+    highest: Highest,
     written: Result<(), InputError>,
 }
 
 impl Rows {
     fn add(&mut self, row: &Solution<f64>) {
         self.last = (self.times_s.pop_front().unwrap_or(self.last.0), *row);
+        self.highest.reach(row.position.latitude.hi, row.position.altitude.hi);
         if self.written.is_ok() {
             self.written = self.writer.row(&NavigationRow::new(self.last.0, row));
         }

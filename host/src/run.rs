@@ -24,6 +24,7 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     } else {
         report::write(&flight, &directory)?;
     }
-    say(&format!("{}written to {}\n", report::table(&flight), directory.display()))?;
+    let neglected = flight.neglected.map(|neglected| neglected.line()).unwrap_or_default();
+    say(&format!("{}{neglected}written to {}\n", report::table(&flight), directory.display()))?;
     Ok(())
 }

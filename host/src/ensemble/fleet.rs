@@ -62,8 +62,7 @@ pub fn fly(
     while let Some(&stop) = stops.peek() {
         let end = stop.min(done + STRETCH);
         let time_s = |sample| ground.source.time_s(sample);
-        let perfect: Vec<_> =
-            (done..end).map(|n| ground.source.perfect_sample(n + 1)).collect();
+        let perfect: Vec<_> = (done..end).map(|n| ground.source.perfect_sample(n + 1)).collect();
         if let Some((sample, _, why)) = stretch(&mut groups, &perfect, done, threads) {
             return Err(FlightError::Rejected { sample, time_s: time_s(sample), why });
         }

@@ -4,6 +4,8 @@
 //! Source: NIMA TR8350.2 (WGS-84), equations 4-1 to 4-3; Groves, *Principles of GNSS, Inertial and
 //! Multisensor Integrated Navigation Systems*, 2nd ed., §2.4.
 
+pub mod closed_form;
+
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 
@@ -83,6 +85,22 @@ impl<R: Real> Radii<R> {
 }
 
 /// Normal gravity γ at a latitude (its sine) and altitude, m/s², down along the ellipsoid's normal.
+///
+/// Exact on the ellipsoid; above it a series of second order, without the component to the north. What it
+/// lacks of the [closed form](closed_form), in µg (9.80665e-6 m/s²):
+///
+/// | altitude | down, 0° | down, 45° | down, 90° | north, 45° |
+/// |---|---|---|---|---|
+/// | 1 km | -0.010 | -0.005 | 0.000 | -0.830 |
+/// | 10 km | -0.071 | -0.042 | -0.021 | -8.296 |
+/// | 20 km | -0.128 | -0.128 | -0.147 | -16.57 |
+/// | 50 km | -1.127 | -1.573 | -2.068 | -41.29 |
+/// | 100 km | -10.96 | -13.31 | -15.77 | -82.10 |
+/// | 300 km | -350.9 | -374.7 | -398.9 | -240.7 |
+/// | 1000 km | -12437 | -12689 | -12943 | -741.8 |
+///
+/// The Earth's own field departs from any normal gravity by tens of µg at the ground. Truth and navigation
+/// use the same series, so that a simulation does not show what a real flight would.
 #[inline]
 pub fn gravity<R: Real>(sine: R, altitude: R) -> R {
     // γ = γ_e(1 + k sin²φ)/√(1 − e² sin²φ) · [1 − (2/a)(1 + f + m − 2f sin²φ)h + 3h²/a²]
@@ -143,6 +161,10 @@ impl<R: Real> Geodetic<R> {
             // Δφ = (z cosφ − p sinφ + e² N sinφ cosφ)/(R_M + h)
             latitude = latitude + (c * z - s * p + e2 * n * s * c) / (radii.meridian + altitude);
         }
+        // At a pole rounding may lead beyond it.
+        let most = R::of(core::f64::consts::FRAC_PI_2);
+        latitude = R::select(most.less(latitude), most, latitude);
+        latitude = R::select(latitude.less(-most), -most, latitude);
         Self { latitude, longitude: y.atan2(x), altitude }
     }
 }

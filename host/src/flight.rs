@@ -1,5 +1,6 @@
 //! The result of a run: what the summary and the report are made of.
 
+use crate::high::Neglected;
 use crate::scene::{Scene, WindowShape};
 use serde::Serialize;
 
@@ -194,6 +195,8 @@ pub struct Flight {
     pub overview: Vec<Instant>,
     /// Instants of the first minute, for the enlarged view (at most a few thousand).
     pub first_minute: Vec<Instant>,
+    /// What the series of gravity neglects at the height reached; absent below 20 km.
+    pub neglected: Option<Neglected>,
     /// Samples in which a sensor was at its limit.
     pub saturated: u64,
     /// Samples lost on the way to the navigator, and filled in.

@@ -7,6 +7,7 @@ pub mod emulator;
 pub mod ensemble;
 pub mod flight;
 pub mod frontier;
+pub mod high;
 pub mod hil;
 pub mod input;
 pub mod lanes;

@@ -18,7 +18,8 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
             eprintln!("{note}");
         }
     })?;
-    say(&format!("{}written to {}\n", report::table(&flight), directory.display()))?;
+    let neglected = flight.neglected.map(|neglected| neglected.line()).unwrap_or_default();
+    say(&format!("{}{neglected}written to {}\n", report::table(&flight), directory.display()))?;
     end
 }
 

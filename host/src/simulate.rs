@@ -142,6 +142,7 @@ impl<'a> Simulation<'a> {
             max: log.max,
             overview: log.overview,
             first_minute: log.first_minute,
+            neglected: log.highest.neglected(),
             saturated: stream.saturated(),
             lost: bridge.lost().into(),
             link: None,

@@ -151,7 +151,8 @@ fn what_is_added_is_the_drift() {
 /// To first order, theory's shift of the axes is the comparison's: on either side of 84°, and across.
 #[test]
 fn theory_sees_the_same_shift() {
-    for latitude in [80.0, 83.999, 84.001, 89.99, 90.0, 90.01, 97.0, -83.999, -84.001, -90.0, -91.0] {
+    for latitude in [80.0, 83.999, 84.001, 89.99, 90.0, 90.01, 97.0, -83.999, -84.001, -90.0, -91.0]
+    {
         let jet = |value: f64, first: f64| Jet { value, first, second: 0.0 };
         let motion = Motion {
             roll: jet(0.3, 0.0),

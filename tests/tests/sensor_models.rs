@@ -138,7 +138,10 @@ fn at_the_limit<R: Deviate>(sign: R) {
         let reading = read(same(sign * of(0.5)));
         assert!(near(reading.increment, most * sign) && reading.saturated);
         let limit = limit * of(0.01);
-        assert!(reading.increment.zip(limit, |x, limit| x.abs() <= limit) == Vector::new(true, true, true));
+        assert!(
+            reading.increment.zip(limit, |x, limit| x.abs() <= limit)
+                == Vector::new(true, true, true)
+        );
     }
     // Nothing has wound up: what follows is off by half a step.
     let mut sum = Vector::ZERO;
@@ -163,8 +166,7 @@ fn a_limit_holds_for_whole_steps() {
 fn a_remainder_does_not_lift_a_reading_over_the_limit() {
     let one = vector(1.0, 1.0, 1.0);
     let timing = Timing::new(1.0, 100).unwrap();
-    let terms =
-        (Saturation::new(one * 3.6, timing).unwrap(), Quantization::new(one).unwrap());
+    let terms = (Saturation::new(one * 3.6, timing).unwrap(), Quantization::new(one).unwrap());
     let mut state = terms.start(Streams::new(1, 0));
     for n in 0..100 {
         let sensed = one * 3.4;
@@ -192,8 +194,16 @@ fn rates_stay_within_the_limit() {
                 let huge = axes * (3.0 * sign);
                 let perfect = Rates { rate_ib_b: huge, specific_force_b: huge };
                 let read = emulator.emulate_rates(&mut state, &perfect);
-                for x in read.rate_ib_b.into_array().into_iter().chain(read.specific_force_b.into_array()) {
-                    assert!(x.abs() <= limit && x.abs() >= limit * (1.0 - 1e-14), "{rate_hz} {x} {limit}");
+                for x in read
+                    .rate_ib_b
+                    .into_array()
+                    .into_iter()
+                    .chain(read.specific_force_b.into_array())
+                {
+                    assert!(
+                        x.abs() <= limit && x.abs() >= limit * (1.0 - 1e-14),
+                        "{rate_hz} {x} {limit}"
+                    );
                 }
             }
         }

@@ -90,7 +90,8 @@ impl<R: Real> Latitude<R> {
         let mut there = *self;
         let gravitation = there.gravitation(position_e);
         // 64 km along the meridian
-        let apart = (there.sine - s).is_within(R::of(1e-2)) & (there.cosine - c).is_within(R::of(1e-2));
+        let apart =
+            (there.sine - s).is_within(R::of(1e-2)) & (there.cosine - c).is_within(R::of(1e-2));
         apart.then_some(gravitation)
     }
 

@@ -2,6 +2,7 @@
 
 use super::frame::{FARTHEST, Output};
 use super::plausible::Damaged;
+use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
@@ -269,6 +270,13 @@ pub(super) fn admit_held<R: Real>(altitude: R, down: R) -> Result<(), Rejected> 
     }
 }
 
+impl From<Rejected> for StartError {
+    /// Why a frame cannot go on from a place.
+    fn from(rejected: Rejected) -> Self {
+        if rejected == Rejected::Pole { Self::Pole } else { Self::Position }
+    }
+}
+
 /// An initial solution, if it can be right, its attitude brought to unit length.
 pub(super) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>, StartError> {
     if !subnormals_survive::<R>() {
@@ -279,7 +287,8 @@ pub(super) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>,
     let pole = R::of(core::f64::consts::FRAC_PI_2 * (1.0 + 1e-7));
     let on_earth = position.latitude.is_within(pole)
         & position.longitude.is_within(R::of(core::f64::consts::TAU))
-        & position.altitude.is_within(R::of(FARTHEST));
+        // Where the shell that Earth-fixed navigation stays in is widest; the frame itself is asked, too.
+        & position.altitude.is_within(R::of(FARTHEST + SEMI_MAJOR_AXIS - SEMI_MINOR_AXIS));
     if !on_earth {
         return Err(StartError::Position);
     }

@@ -97,7 +97,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     pub fn start(&self, initial: &Solution<R>) -> Result<State<F, W>, StartError> {
         let initial = admit_start(initial)?;
         let frame = F::start(&initial);
-        frame.check_place().map_err(|_| StartError::Pole)?;
+        frame.check_place()?;
         Ok(State {
             frame,
             samples: W::samples(Increment::ZERO),

@@ -3,7 +3,6 @@
 use crate::input::document::Document;
 use crate::input::{InputError, Range, read_text};
 use crate::output::NumberTable;
-use crate::scene::limits::ALTITUDE_M;
 use crate::units::DEGREE;
 use schuler::earth::Geodetic;
 use schuler::math::compensated::Pair;
@@ -66,6 +65,8 @@ impl NavigationRow {
     pub fn parse(file: &str, text: &str) -> Result<Self, InputError> {
         let latitude = Range::from_to(-90.0, 90.0, "degrees, from -90 to 90");
         let angle = Range::from_to(-360.0, 360.0, "degrees, from -360 to 360");
+        // As far down as up: navigation goes on, and so does what it has printed.
+        let altitude = Range::from_to(-1e6, 1e6, "metres, from -1e6 to 1e6");
         let speed = Range::from_to(-1e5, 1e5, "m/s, from -1e5 to 1e5");
         let document = Document::parse(file, text)?;
         let root = document.root(&COLUMNS)?;
@@ -75,7 +76,7 @@ impl NavigationRow {
             position: Geodetic {
                 latitude: root.number("latitude_deg", &latitude)? * DEGREE,
                 longitude: angle("longitude_deg")?,
-                altitude: root.number("altitude_m", &ALTITUDE_M)?,
+                altitude: root.number("altitude_m", &altitude)?,
             },
             velocity_ned: Vector::new(
                 root.number("north_m_s", &speed)?,

@@ -4,6 +4,7 @@ use super::align::Still;
 use super::rows::Rows;
 use super::spans::{Place, Spans};
 use crate::cli::ReplayArgs;
+use crate::high::Neglected;
 use crate::input::{Complaint, InputError};
 use crate::navigator::{self, Navigate, Unavailable};
 use crate::output::{large_table, say};
@@ -29,6 +30,8 @@ pub struct Flight {
     pub bridged: Bridged,
     /// Lines that could not be read outside what was flown: how many, and the first.
     pub outside: (u64, Option<InputError>),
+    /// What the series of gravity neglects at the height reached.
+    pub neglected: Option<Neglected>,
 }
 
 /// Missing samples that were filled from their neighbours.
@@ -125,8 +128,8 @@ pub fn fly(
     pass_over(samples.trailing(), spans, &mut outside)?;
     progress.finish();
     let flying = flying.ok_or_else(|| spans.empty())?;
-    let last = flying.finish()?;
-    Ok(Flight { start: start.solution(), last, bridged, outside })
+    let (last, neglected) = flying.finish()?;
+    Ok(Flight { start: start.solution(), last, bridged, outside, neglected })
 }
 
 impl<'a> Flying<'a> {
@@ -168,10 +171,11 @@ impl<'a> Flying<'a> {
         Ok(rows.check()?)
     }
 
-    fn finish(mut self) -> Result<(f64, Solution<f64>), InputError> {
-        let Self { navigator, rows, .. } = &mut self;
+    fn finish(self) -> Result<((f64, Solution<f64>), Option<Neglected>), InputError> {
+        let Self { mut navigator, mut rows, .. } = self;
         navigator.finish(&mut |_, row| rows.add(row));
-        self.rows.finish()
+        let neglected = rows.highest.neglected();
+        Ok((rows.finish()?, neglected))
     }
 }
 

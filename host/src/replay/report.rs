@@ -24,6 +24,9 @@ pub fn text(flight: &Flight, spans: &Spans, at_rest: bool) -> String {
         );
     }
     text += &format!("navigated from {} s to {time_s} s\n", spans.navigate_s);
+    if let Some(neglected) = &flight.neglected {
+        text += &neglected.line();
+    }
     if at_rest {
         let moved = drift(solution, &flight.start);
         let [north, east, down] = moved.position_ned.into_array();

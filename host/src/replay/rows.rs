@@ -1,6 +1,7 @@
 //! The rows of `nav.csv` on their way to the file.
 
 use crate::cli::{Every, Sieve};
+use crate::high::Highest;
 use crate::input::InputError;
 use crate::recording::navigation::{NavigationRow, NavigationWriter};
 use schuler::solution::Solution;
@@ -16,6 +17,8 @@ pub struct Rows {
     /// The last row there was.
     pub last: (f64, Solution<f64>),
     last_is_written: bool,
+    /// The place farthest from the ellipsoid.
+    pub highest: Highest,
     written: Result<(), InputError>,
 }
 
@@ -32,6 +35,7 @@ impl Rows {
             times_s: VecDeque::new(),
             last: start,
             last_is_written: true,
+            highest: Highest::default(),
             written: Ok(()),
         })
     }
@@ -44,6 +48,7 @@ impl Rows {
     /// The next row.
     pub fn add(&mut self, row: &Solution<f64>) {
         self.last = (self.times_s.pop_front().unwrap_or(self.last.0), *row);
+        self.highest.reach(row.position.latitude.hi, row.position.altitude.hi);
         self.last_is_written = self.sieve.keeps(self.last.0);
         if self.last_is_written {
             self.write();

@@ -100,6 +100,7 @@ pub fn scaled(scale: f64) -> Flight {
         max: Extremes { components, norms },
         overview,
         first_minute: times(0.05, 1200).map(|time_s| instant(time_s, scale)).collect(),
+        neglected: None,
         saturated: 0,
         lost: 0,
         link: None,

@@ -2,6 +2,7 @@
 
 use super::{Nine, norm};
 use crate::flight::{Ended, Flight, LinkReport};
+use crate::high::Neglected;
 use crate::scene::WindowShape;
 use serde::Serialize;
 
@@ -19,6 +20,8 @@ struct Summary<'a> {
     algorithm: &'static str,
     window: Option<WindowShape>,
     skipped: Vec<Skipped<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gravity_neglected: Option<Neglected>,
     saturated: u64,
     lost: u64,
     digest: &'a str,
@@ -98,6 +101,7 @@ impl<'a> Summary<'a> {
                 .iter()
                 .map(|s| Skipped { what: &s.what, why: &s.why, saved: &s.saved })
                 .collect(),
+            gravity_neglected: flight.neglected,
             saturated: flight.saturated,
             lost: flight.lost,
             digest: &flight.digest,

@@ -1,6 +1,8 @@
 //! What is kept of a run: extremes over every instant, and some instants for curves.
 
 use crate::flight::{Extremes, Instant, Nine};
+use crate::high::Highest;
+use crate::units::DEGREE;
 use schuler::math::vector::Vector;
 
 /// Points of the overview's curves, about.
@@ -22,6 +24,8 @@ pub(super) struct Log {
     pub overview: Vec<Instant>,
     /// Of the first minute.
     pub first_minute: Vec<Instant>,
+    /// The place farthest from the ellipsoid.
+    pub highest: Highest,
 }
 
 impl Log {
@@ -37,11 +41,14 @@ impl Log {
             max: Extremes::default(),
             overview: Vec::new(),
             first_minute: Vec::new(),
+            highest: Highest::default(),
         }
     }
 
     /// Takes the next instant.
     pub fn add(&mut self, sample: u64, instant: &Instant) {
+        let [latitude_deg, _, altitude_m] = instant.position;
+        self.highest.reach(latitude_deg * DEGREE, altitude_m);
         let Nine { position_m, velocity_m_s, attitude_arcsec } = instant.drift;
         let max = &mut self.max;
         for (most, now) in [

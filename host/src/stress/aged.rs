@@ -69,8 +69,7 @@ where
     let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
     let before = scene.samples() + 1;
     // The swell repeats itself by and by; a hundred seconds of it, over and over, age as well.
-    let cycle: Vec<_> =
-        (1..=5000).map(|n| source.perfect_sample(n)).collect();
+    let cycle: Vec<_> = (1..=5000).map(|n| source.perfect_sample(n)).collect();
     let interval_s = Pair::narrow(Pair::new(scene.rate_hz).reciprocal());
     let refused = |error: StartError| error.to_string();
     let mechanization = new(interval_s).map_err(refused)?;

@@ -48,14 +48,16 @@ fn flies_on<M: Mechanization<Real: Scalar>>(
 ) {
     let shows_numbers = |row: Solution<f64>| {
         let (p, v, q) = (row.position, row.velocity_ned, row.attitude);
-        let numbers = [p.latitude, p.longitude, p.altitude, v.x, v.y, v.z, q.w, q.v.x, q.v.y, q.v.z];
+        let numbers =
+            [p.latitude, p.longitude, p.altitude, v.x, v.y, v.z, q.w, q.v.x, q.v.y, q.v.z];
         assert!(numbers.iter().all(|x| x.hi.is_finite()), "{} {row:?}", what());
     };
     let mut ahead = state;
     mechanization.finish_rows(&mut ahead, |_, row| shows_numbers(row.wide()));
     let before = M::integrated(&state);
     for &sample in samples {
-        if mechanization.push_rows(&mut state, sample, |_, row| shows_numbers(row.wide())).is_err() {
+        if mechanization.push_rows(&mut state, sample, |_, row| shows_numbers(row.wide())).is_err()
+        {
             break;
         }
     }

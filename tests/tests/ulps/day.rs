@@ -90,7 +90,10 @@ fn a_day_on_the_increments_are_what_they_should_be() {
                 let off = |a: Vector<f64>, b: Vector<f64>| (a - b).norm() / b.norm();
                 let angle = off(sample.angle_b, expected.angle_b);
                 let velocity = off(sample.velocity_b, expected.velocity_b);
-                assert!(angle <= 1e-13 && velocity <= 1e-13, "{rate_hz} {number} {angle:e} {velocity:e}");
+                assert!(
+                    angle <= 1e-13 && velocity <= 1e-13,
+                    "{rate_hz} {number} {angle:e} {velocity:e}"
+                );
                 // The truth at the sample's end belongs to the same time.
                 let end = big(number as f64) / big(rate_hz);
                 let truth = now.at_instant(instant(number as f64, rate_hz));

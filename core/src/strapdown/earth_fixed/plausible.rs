@@ -1,7 +1,7 @@
 //! Whether an Earth-fixed state that came back from bytes can be right.
 
 use super::EarthFixed;
-use crate::earth::{SEMI_MAJOR_AXIS};
+use crate::earth::SEMI_MAJOR_AXIS;
 use crate::math::compensated::Accumulate;
 use crate::math::real::Real;
 use crate::strapdown::frame::{FARTHEST, check_earth_fixed};
@@ -25,8 +25,9 @@ impl<R: Real, S: Accumulate<Real = R>> Plausible for EarthFixed<S> {
         in_range
             && check_earth_fixed(position).is_ok()
             && is_attitude(self.attitude.value())
-            && self.latitude.belongs_to(position).is_some_and(|gravitation| {
-                (gravitation - self.gravitation).is_within(R::of(1e-2))
-            })
+            && self
+                .latitude
+                .belongs_to(position)
+                .is_some_and(|gravitation| (gravitation - self.gravitation).is_within(R::of(1e-2)))
     }
 }

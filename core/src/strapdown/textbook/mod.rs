@@ -172,7 +172,7 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
     fn start(&self, initial: &Solution<F::Real>) -> Result<TextbookState<F>, StartError> {
         let initial = admit_start(initial)?;
         let frame = F::start(&initial);
-        frame.check_place().map_err(|_| StartError::Pole)?;
+        frame.check_place()?;
         // No previous sample: no rotation and no force, hence no coning and no sculling.
         Ok(TextbookState { frame, previous: Increment::ZERO, integrated: 0 })
     }

@@ -31,6 +31,7 @@ fn main() -> ExitCode {
                 FlightError::Input(_) => ExitCode::from(2),
                 FlightError::Lost { .. }
                 | FlightError::Rejected { .. }
+                | FlightError::Turned { .. }
                 | FlightError::Failed { .. }
                 | FlightError::Stopped(_) => ExitCode::from(1),
             }

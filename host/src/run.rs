@@ -24,6 +24,7 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     } else {
         report::write(&flight, &directory)?;
     }
-    say(&format!("{}written to {}\n", report::table(&flight), directory.display()))?;
+    let chosen = report::planned(&flight);
+    say(&format!("{}{chosen}written to {}\n", report::table(&flight), directory.display()))?;
     Ok(())
 }

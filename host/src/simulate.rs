@@ -81,7 +81,10 @@ impl<'a> Simulation<'a> {
             let taken = bridge.take(measured, |increment| {
                 push(vehicle.as_mut(), increment, scene, &source, &mut row)
             });
-            taken.map_err(|refused| refused.at(sample, &source, gap))?;
+            taken.map_err(|refused| {
+                let angle_b = measured.map(|increment| increment.angle_b.into_array());
+                refused.at_increment(sample, &source, gap, angle_b, plan.window.block)
+            })?;
             progress(sample);
         }
         bridge
@@ -94,6 +97,7 @@ impl<'a> Simulation<'a> {
             scene: scene.clone(),
             samples,
             window: plan.flown_window(scene),
+            planned: plan.trial,
             skipped: plan.skipped(scene, &source, vehicle.navigator()),
             digest: format!("{:016x}", vehicle.digest()),
             last: log.last,

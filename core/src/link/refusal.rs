@@ -71,6 +71,7 @@ codes! {
     Rejected(Rejected Held) = 15,
     Start(StartError FlushToZero) = 16,
     Count = 17,
+    Rejected(Rejected Turn) = 18,
 }
 
 impl Display for Refusal {

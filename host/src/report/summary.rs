@@ -1,7 +1,7 @@
 //! `summary.json`: a run in numbers, for programs.
 
 use super::{Nine, norm};
-use crate::flight::{Flight, LinkReport};
+use crate::flight::{Flight, LinkReport, Planned};
 use crate::input::InputError;
 use crate::output;
 use crate::scene::WindowShape;
@@ -19,6 +19,8 @@ struct Summary<'a> {
     frame: &'static str,
     algorithm: &'static str,
     window: Option<WindowShape>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    planned: Option<Planned>,
     skipped: Vec<Skipped<'a>>,
     saturated: u64,
     lost: u64,
@@ -93,6 +95,7 @@ impl<'a> Summary<'a> {
             frame: scene.navigator.frame.name(),
             algorithm: scene.navigator.algorithm.name(),
             window: flight.window,
+            planned: flight.planned,
             skipped: flight
                 .skipped
                 .iter()

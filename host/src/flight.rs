@@ -53,6 +53,17 @@ pub struct Instant {
     pub attitude_deg: [f64; 3],
 }
 
+/// How a window was chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Planned {
+    /// Windows tried on stretches of the motion.
+    pub tried: usize,
+    /// The position error at the end that its truncation is expected to leave, m.
+    pub predicted_m: f64,
+    /// What it may leave: the cheapest window within this is flown, or else the best, m.
+    pub most_m: f64,
+}
+
 /// Work that a run did not have to do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Skipped {
@@ -183,6 +194,8 @@ pub struct Flight {
     pub ended: Option<Ended>,
     /// The window flown; `None` for textbook.
     pub window: Option<WindowShape>,
+    /// How it was chosen.
+    pub planned: Option<Planned>,
     /// What was skipped.
     pub skipped: Vec<Skipped>,
     /// Digest of every state, hex.

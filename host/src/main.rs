@@ -32,6 +32,7 @@ fn main() -> ExitCode {
                 FlightError::Input(_) => ExitCode::from(2),
                 FlightError::Lost { .. }
                 | FlightError::Rejected { .. }
+                | FlightError::Turned { .. }
                 | FlightError::Failed { .. }
                 | FlightError::Runs { .. }
                 | FlightError::Stopped(_) => ExitCode::from(1),

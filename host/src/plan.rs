@@ -1,14 +1,22 @@
 //! What a run does and what it can leave out, decided once; what is left out is measured.
 
-use crate::flight::Skipped;
+mod candidate;
+mod growth;
+mod reference;
+mod step;
+mod trial;
+
+use crate::flight::{Planned, Skipped};
 use crate::navigator::{self, Navigate};
 use crate::scene::{Algorithm, Frame, Precision, Scene, WindowShape};
 use crate::source::Source;
 use crate::theory::Theory;
 use crate::timing;
+use candidate::Candidate;
 use schuler::math::compensated::Pair;
-use schuler::strapdown::plan::{self, Digits, Flight, Shape};
+use schuler::strapdown::plan::{self, Shape};
 use schuler::trajectory::Trajectory as _;
+use trial::{Flight, Trial};
 
 /// Samples that what is skipped is measured over, at most.
 const SKIPPED_SAMPLES: u64 = 500;
@@ -20,6 +28,8 @@ pub struct Plan {
     pub window: WindowShape,
     /// The order of its series, at most.
     pub order: usize,
+    /// What the trial flights found; nothing was tried for an algorithm without windows.
+    pub trial: Option<Planned>,
     /// Whether nothing may be skipped.
     force_all: bool,
 }
@@ -29,39 +39,124 @@ fn is_cheaper(window: WindowShape, other: WindowShape) -> bool {
     window.history + window.lookahead < other.history + other.lookahead
 }
 
+impl WindowShape {
+    /// As the core has it.
+    pub fn shape(self) -> Shape {
+        (self.history, self.block, self.lookahead)
+    }
+}
+
 impl From<Shape> for WindowShape {
     fn from((history, block, lookahead): Shape) -> Self {
         Self { history, block, lookahead }
     }
 }
 
+/// Twelve samples about a block of four.
+const WIDEST: Shape = (4, 4, 4);
+
+/// What truncation may cost, in roundings of double precision. In single precision the sums keep some
+/// eight bits more than one of its numbers, two-float products another four.
+fn share_of_rounding(precision: Precision) -> f64 {
+    let single = f64::from(f32::EPSILON) / f64::EPSILON;
+    match precision {
+        Precision::F64 => 1.0,
+        Precision::F32 => single / 256.0,
+        Precision::F32x2 => single / 4096.0,
+    }
+}
+
+/// The windows to try, the cheapest first.
+fn candidates(scene: &Scene, source: &Source) -> Vec<Candidate> {
+    let precision = scene.navigator.precision;
+    let is_still = source.course.bound().bandwidth == 0.0;
+    let is_fit = |candidate: &Candidate| {
+        let (history, block, lookahead) = candidate.shape;
+        // Long blocks round more at once in single precision, always the same way where nothing changes.
+        let long = match precision {
+            Precision::F64 => usize::MAX,
+            _ if is_still => 4,
+            _ => 12,
+        };
+        let is_rounded = block > long || block as f64 > scene.rate_hz && block > 4;
+        let is_available = precision != Precision::F32x2
+            || navigator::TWO_FLOAT.contains(&(history, block, lookahead));
+        // One-sided windows amplify noise.
+        let is_quiet = source.emulator.is_none() || candidate.is_symmetric();
+        is_available && is_quiet && (precision == Precision::F64 || !is_rounded)
+    };
+    Candidate::all().filter(is_fit).collect()
+}
+
+/// 1/ω of the slowest swing or turn of the motion, s; 0 where there is none.
+fn slowest_wave_s(scene: &Scene) -> f64 {
+    let motion = &scene.trajectory;
+    let turning = [&motion.roll, &motion.pitch, &motion.yaw];
+    let turns = turning.into_iter().map(|channel| channel.rate.abs());
+    let swinging = [&motion.latitude, &motion.longitude, &motion.altitude];
+    let harmonics = turning.into_iter().chain(swinging).flat_map(|channel| &channel.harmonics);
+    let swings = harmonics.filter(|h| h.amplitude != 0.0).map(|h| h.angular_rate.abs());
+    turns.chain(swings).filter(|&w| w > 0.0).fold(0.0, |slowest: f64, w| slowest.max(1.0 / w))
+}
+
 impl Plan {
     /// Of a scene; `force_all` skips nothing.
+    ///
+    /// In a simulation the truth is at hand, so windows are tried on stretches of it; sensor errors leave
+    /// the choice to the motion.
     pub fn new(scene: &Scene, source: &Source, force_all: bool) -> Self {
-        let bound = source.course.bound();
-        let digits = match scene.navigator.precision {
-            Precision::F64 => Digits::Double,
-            Precision::F32 => Digits::Single,
-            Precision::F32x2 => Digits::TwoFloat,
-        };
-        let flight = Flight {
-            bandwidth: bound.bandwidth,
-            angular_rate: bound.angular_rate,
-            interval_s: 1.0 / scene.rate_hz,
-            digits,
-            earth_fixed: scene.navigator.frame == Frame::EarthFixed,
-        };
-        let mut planned = plan::window(&flight).into();
-        if force_all && is_cheaper(planned, plan::UNKNOWN.into()) {
-            planned = plan::UNKNOWN.into();
+        let navigator = &scene.navigator;
+        if navigator.algorithm != Algorithm::Taylor {
+            let (window, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
+            return Self { window, order, trial: None, force_all };
         }
-        let window = scene.navigator.window.unwrap_or(planned);
-        let order = if force_all {
-            plan::HIGHEST_ORDER
-        } else {
-            plan::order(&flight, (window.history, window.block, window.lookahead))
+        let flight = Flight {
+            motion: &source.course,
+            interval_s: 1.0 / scene.rate_hz,
+            samples: scene.samples(),
+            earth_fixed: navigator.frame == Frame::EarthFixed,
+            wave_s: slowest_wave_s(scene),
         };
-        Self { window, order, force_all }
+        let trial = Trial::new(&flight);
+        let most_m = trial.rounding_m() * share_of_rounding(navigator.precision);
+        let asked = navigator.window.and_then(|w| Candidate::find(w.shape()));
+        let candidates = match asked {
+            Some(asked) => vec![asked],
+            None => candidates(scene, source),
+        };
+        let (chosen, tried) = trial.choose(&candidates, most_m);
+        let mut window = navigator.window.unwrap_or_else(|| {
+            // A motion that no window can be flown with is refused by the navigator itself.
+            chosen.map_or((2, 2, 2), |chosen| chosen.shape).into()
+        });
+        let mut planned = chosen.map(|chosen| Planned {
+            tried: tried.len(),
+            predicted_m: chosen.predicted_m,
+            most_m,
+        });
+        // With nothing skipped a wider window than is needed, if it is no worse.
+        if let Some(cheap) = chosen
+            && asked.is_none()
+            && force_all
+            && cheap.predicted_m <= most_m
+        {
+            let wide: Vec<_> = candidates
+                .into_iter()
+                .filter(|c| c.shape == plan::UNKNOWN || c.shape == WIDEST)
+                .collect();
+            if let (Some(wide), _) = trial.choose(&wide, most_m)
+                && wide.predicted_m <= most_m
+            {
+                window = wide.shape.into();
+                planned =
+                    Some(Planned { tried: tried.len(), predicted_m: wide.predicted_m, most_m });
+            }
+        }
+        let order = match Candidate::find(window.shape()) {
+            Some(candidate) if !force_all => trial.order(&candidate, most_m),
+            _ => plan::HIGHEST_ORDER,
+        };
+        Self { window, order, trial: planned, force_all }
     }
 
     /// The window flown, if the algorithm has one.

@@ -19,7 +19,8 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
         }
     })?;
     let neglected = flight.neglected.map(|neglected| neglected.line()).unwrap_or_default();
-    say(&format!("{}{neglected}written to {}\n", report::table(&flight), directory.display()))?;
+    let notes = report::planned(&flight) + &neglected;
+    say(&format!("{}{notes}written to {}\n", report::table(&flight), directory.display()))?;
     end
 }
 

@@ -105,7 +105,9 @@ impl<'a> Simulation<'a> {
                 if refused.is_of_the_sample() {
                     vehicle.break_off(&mut row);
                 }
-                end = Some((sample, refused));
+                let angle_b = measured.map(|increment| increment.angle_b.into_array());
+                let block = plan.window.block;
+                end = Some((sample, refused.at_increment(sample, &source, gap, angle_b, block)));
                 break;
             }
             if written.borrow().is_err() {
@@ -117,11 +119,10 @@ impl<'a> Simulation<'a> {
             let finished = bridge
                 .finish(|increment| push(vehicle.as_mut(), increment, scene, &source, &mut row))
                 .and_then(|()| vehicle.finish(&mut row));
-            end = finished.err().map(|refused| (samples, refused));
+            end = finished.err().map(|refused| (samples, refused.at(samples, &source, gap)));
         }
         written.into_inner()?;
         log.finish();
-        let end = end.map(|(sample, refused)| (sample, refused.at(sample, &source, gap)));
         let ended = end.as_ref().map(|(sample, error)| Ended {
             sample: *sample,
             time_s: source.time_s(*sample),
@@ -136,6 +137,7 @@ impl<'a> Simulation<'a> {
             time: ended.is_none().then(|| timing::stages(scene, &source, vehicle.navigator())),
             ended,
             window: plan.flown_window(scene),
+            planned: plan.trial,
             skipped: plan.skipped(scene, &source, vehicle.navigator()),
             digest: format!("{:016x}", vehicle.digest()),
             last: log.last,

@@ -77,6 +77,7 @@ codes! {
     Count = 17,
     Rejected(Rejected Interval) = 18,
     Damaged = 19,
+    Rejected(Rejected Turn) = 20,
 }
 
 impl Display for Refusal {

@@ -79,8 +79,7 @@ const FASTEST: f64 = 1e5;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Rejected {
-    /// An angle increment that is not finite, above the limit, or so large that a block of its kind
-    /// would turn by more than [`MOST_TURN`].
+    /// An angle increment that is not finite, or above the limit.
     Angle,
     /// A velocity increment that is not finite, or above the limit.
     Velocity,
@@ -93,6 +92,9 @@ pub enum Rejected {
     Held,
     /// An interval that is not finite, not above 0 s or above 1 s.
     Interval,
+    /// An angle increment within the limit, but so large that a block of such samples would turn by more
+    /// than [`MOST_TURN`]: a window with a shorter block, or samples more often, would do.
+    Turn,
 }
 
 /// The largest angle that a block may turn by about one axis, rad: the series of a step are cut short,
@@ -102,7 +104,7 @@ pub const MOST_TURN: f64 = 2.0;
 impl core::fmt::Display for Rejected {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::Angle => "the angle increment is not finite, exceeds the limit, or turns a block by over 2 rad",
+            Self::Angle => "the angle increment is not finite or exceeds the limit",
             Self::Velocity => "the velocity increment is not finite or exceeds the limit",
             Self::Pole => "the local-level frame ends at the pole; earth-fixed goes on",
             Self::Place => {
@@ -111,6 +113,10 @@ impl core::fmt::Display for Rejected {
             }
             Self::Held => "the vertical to hold must be finite, within 1000 km and 100 km/s",
             Self::Interval => "the sample's interval must be above 0 s and at most 1 s",
+            Self::Turn => {
+                "the angle increment turns a block by over 2 rad: \
+                 a window with a shorter block or a higher rate would do"
+            }
         })
     }
 }
@@ -181,7 +187,9 @@ impl<R: Real> Default for Limits<R> {
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Gate<R> {
+    /// The limit, and what a block may turn by if that is less.
     most_angle: R,
+    limit: R,
     most_velocity: R,
     /// What a sample of any interval may turn by, rad.
     most_turn: R,
@@ -214,9 +222,10 @@ impl<R: Real> Gate<R> {
     }
 
     fn of(interval_s: R, limits: Limits<R>, most_turn: R) -> Self {
-        let most_angle = limits.angular_rate * interval_s;
+        let limit = limits.angular_rate * interval_s;
         Self {
-            most_angle: R::select(most_turn.less(most_angle), most_turn, most_angle),
+            most_angle: R::select(most_turn.less(limit), most_turn, limit),
+            limit,
             most_velocity: limits.specific_force * interval_s,
             most_turn,
             limits,
@@ -245,6 +254,8 @@ impl<R: Real> Gate<R> {
             Ok(())
         } else if sample.angle_b.is_within(angle) {
             Err(Rejected::Velocity)
+        } else if sample.angle_b.is_within(self.limit) {
+            Err(Rejected::Turn)
         } else {
             Err(Rejected::Angle)
         }

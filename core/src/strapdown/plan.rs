@@ -2,9 +2,12 @@
 //!
 //! A window that follows x = Λh (the bandwidth Λ, rad/s, times the interval h) too coarsely leaves a
 //! residual drift; each limit below is where that falls under the rounding floor, found on the built-in
-//! scenes (`paper` has x = 1.2e-4, `hard` 0.3, `coning` 0.6, `vibration` 1.4).
+//! scenes (`paper` has x = 1.2e-4, `hard` 0.3, `coning` 0.6, `vibration` 1.4). A spin is bounded by what the
+//! series leaves of it. Where the truth is at hand, as in a simulation, trial flights choose better.
 
+use super::mechanization::MOST_TURN;
 pub use super::window::Shape;
+use super::window::{H0B2A0, H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window};
 
 /// The digits that a navigator computes with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,8 +58,24 @@ const FOUR: Candidate = Candidate((0, 4, 0), 0.03, 2.0);
 const TWO: Candidate = Candidate((0, 2, 0), 2e-4, f64::INFINITY);
 /// Twelve samples: for the rest.
 const WIDEST: Shape = (4, 4, 4);
+/// Six samples about a block of two: for spins that a block of four turns too far on.
+const SHORTEST: Shape = (2, 2, 2);
 
-/// The window for a flight.
+/// What the series may leave of a block's turn about its own axis: a tenth of its rounding, as the rest
+/// of a steady spin adds up.
+const SPIN_REST: f64 = 1e-17;
+
+/// Whether blocks of a window turn no further than its series is made for, in so many digits.
+fn turns_within(flight: &Flight, (_, block, _): Shape, terms: usize) -> bool {
+    // A navigator refuses more than 2 rad; order m leaves 2x^{m+1}/(m + 1)! of a spin, x the half block.
+    let turn = block as f64 * flight.interval_s * flight.angular_rate;
+    let x = 0.5 * turn;
+    let rest = (1..=terms).fold(x, |rest, m| rest * x / (m + 1) as f64);
+    let digits = if flight.digits == Digits::Double { 1.0 } else { 1e6 };
+    turn <= MOST_TURN && rest + rest <= SPIN_REST * digits * turn
+}
+
+/// The window for a flight: among those whose blocks a navigator takes.
 pub fn window(flight: &Flight) -> Shape {
     let candidates: &[Candidate] = match (flight.digits, flight.earth_fixed) {
         (Digits::Double, true) => EARTH_FIXED,
@@ -65,10 +84,30 @@ pub fn window(flight: &Flight) -> Shape {
         (Digits::TwoFloat, _) => TWO_FLOAT,
     };
     let x = flight.bandwidth * flight.interval_s;
-    let suits = |&&Candidate((_, block, _), most, longest_s): &&Candidate| {
-        x <= most && block as f64 * flight.interval_s <= longest_s
+    let suits = |&&Candidate(shape, most, longest_s): &&Candidate| {
+        x <= most
+            && shape.1 as f64 * flight.interval_s <= longest_s
+            && turns_within(flight, shape, terms(shape))
     };
-    candidates.iter().chain(&LONG).find(suits).map_or(WIDEST, |&Candidate(shape, ..)| shape)
+    // On a spin that no series follows the longest serves best, and a block of two is taken longest.
+    let fastest = || {
+        let [wide, narrow] = [WIDEST, SHORTEST];
+        let turn = wide.1 as f64 * flight.interval_s * flight.angular_rate;
+        if turn <= MOST_TURN || flight.digits == Digits::TwoFloat { wide } else { narrow }
+    };
+    candidates.iter().chain(&LONG).find(suits).map_or_else(fastest, |&Candidate(shape, ..)| shape)
+}
+
+/// The order of a planned window's series at most.
+fn terms((history, block, lookahead): Shape) -> usize {
+    match (history + lookahead, block) {
+        (0, 2) => H0B2A0::TERMS,
+        (0, 4) => H0B4A0::TERMS,
+        (0, 8) => Line8::TERMS,
+        (0, _) => Parabola20::TERMS,
+        (8, _) => H4B4A4::TERMS,
+        (_, _) => H2B4A2::TERMS,
+    }
 }
 
 /// The window for a motion of which nothing is known.

@@ -41,6 +41,25 @@ fn ended(flight: &Flight) -> Option<String> {
     })
 }
 
+/// How the window was chosen, in a line.
+pub fn planned(flight: &Flight) -> String {
+    match (flight.window, flight.planned) {
+        (Some(window), Some(planned)) if flight.scene.navigator.window.is_none() => format!(
+            "window {window}: of {} tried on stretches of the motion, expected to leave {} m \
+             where one rounding leaves {} m\n",
+            planned.tried,
+            short(planned.predicted_m),
+            short(planned.most_m)
+        ),
+        _ => String::new(),
+    }
+}
+
+/// Two digits.
+fn short(x: f64) -> String {
+    format!("{x:.1e}")
+}
+
 /// The run in one line: scene, length, navigator, seed.
 fn heading(flight: &Flight) -> String {
     let scene = &flight.scene;

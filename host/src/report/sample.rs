@@ -90,6 +90,7 @@ pub fn scaled(scale: f64) -> Flight {
         samples: 36_000,
         ended: None,
         window: Some(WindowShape { history: 2, block: 4, lookahead: 2 }),
+        planned: None,
         skipped: vec![Skipped {
             what: "accelerometer white noise".to_owned(),
             why: "the scene has none".to_owned(),

@@ -1,7 +1,7 @@
 //! `summary.json`: a run in numbers, for programs.
 
 use super::{Nine, norm};
-use crate::flight::{Ended, Flight, LinkReport};
+use crate::flight::{Ended, Flight, LinkReport, Planned};
 use crate::high::Neglected;
 use crate::scene::WindowShape;
 use serde::Serialize;
@@ -19,6 +19,8 @@ struct Summary<'a> {
     frame: &'static str,
     algorithm: &'static str,
     window: Option<WindowShape>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    planned: Option<Planned>,
     skipped: Vec<Skipped<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     gravity_neglected: Option<Neglected>,
@@ -96,6 +98,7 @@ impl<'a> Summary<'a> {
             frame: scene.navigator.frame.name(),
             algorithm: scene.navigator.algorithm.name(),
             window: flight.window,
+            planned: flight.planned,
             skipped: flight
                 .skipped
                 .iter()

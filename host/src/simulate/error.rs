@@ -5,7 +5,7 @@ use crate::navigator::Unavailable;
 use crate::scene::Gap;
 use crate::source::{Source, SourceError};
 use schuler::link::gap::Missing;
-use schuler::strapdown::mechanization::Rejected;
+use schuler::strapdown::mechanization::{MOST_TURN, Rejected};
 use std::fmt;
 
 /// Why a run ended early.
@@ -30,6 +30,19 @@ pub enum FlightError {
         time_s: f64,
         /// Why.
         why: Rejected,
+    },
+    /// A sample turns a block further than its series is made for.
+    Turned {
+        /// Its number, from 1.
+        sample: u64,
+        /// Its end, s.
+        time_s: f64,
+        /// The largest turn about an axis, rad.
+        angle: f64,
+        /// Samples of a block.
+        block: usize,
+        /// Samples per second.
+        rate_hz: f64,
     },
     /// Checks that did not keep their bounds.
     Failed {
@@ -63,6 +76,18 @@ impl fmt::Display for FlightError {
                 "sample {sample} at {time_s} s was lost on the link; \
                  navigator.gap = \"bridge\" would fill it from its neighbours"
             ),
+            Self::Turned { sample, time_s, angle, block, rate_hz } => {
+                write!(
+                    f,
+                    "sample {sample} at {time_s} s turns a block of {block} samples by over "
+                )?;
+                write!(f, "{MOST_TURN} rad: ")?;
+                if let Some((shape, fewer)) = shorter(*angle, *block) {
+                    write!(f, "a window with a block of {fewer} would do (--window {shape}), or ")?;
+                }
+                let rate_hz = (rate_hz * angle * *block as f64 / MOST_TURN).ceil();
+                write!(f, "a rate of {rate_hz} Hz")
+            }
             Self::Failed { failed, checks } => write!(f, "{failed} of {checks} checks failed"),
             Self::Runs { failed, runs } => {
                 write!(f, "{failed} of {runs} runs did not reach their end")
@@ -98,6 +123,12 @@ impl From<Unavailable> for FlightError {
     }
 }
 
+/// The window with the longest block that samples of an angle may fill, rad, and which is shorter.
+fn shorter(angle: f64, block: usize) -> Option<(&'static str, usize)> {
+    let windows = [("2,4,2", 4), ("0,3,0", 3), ("2,2,2", 2)];
+    windows.into_iter().find(|&(_, b)| b < block && b as f64 * angle <= MOST_TURN)
+}
+
 /// Why a sample was not taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refused {
@@ -124,8 +155,32 @@ impl From<Rejected> for Refused {
 impl Refused {
     /// Whether it is the sample that is wrong, not where it leads: what came before it can be flown.
     pub fn is_of_the_sample(&self) -> bool {
-        let wrong = [Self::Rejected(Rejected::Angle), Self::Rejected(Rejected::Velocity)];
-        *self == Self::Missing || wrong.contains(self)
+        matches!(
+            self,
+            Self::Missing
+                | Self::Rejected(Rejected::Angle | Rejected::Turn | Rejected::Velocity)
+        )
+    }
+
+    /// The same where a sample's increment is at hand, which filled blocks of so many samples.
+    pub fn at_increment(
+        self,
+        sample: u64,
+        source: &Source,
+        gap: Gap,
+        angle_b: Option<[f64; 3]>,
+        block: usize,
+    ) -> FlightError {
+        match (&self, angle_b) {
+            (Self::Rejected(Rejected::Turn), Some(angles)) => FlightError::Turned {
+                sample,
+                time_s: source.time_s(sample),
+                angle: angles.into_iter().fold(0.0, |most: f64, angle| most.max(angle.abs())),
+                block,
+                rate_hz: source.rate_hz(),
+            },
+            _ => self.at(sample, source, gap),
+        }
     }
 
     /// The error that ends a run at a sample.

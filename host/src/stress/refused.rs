@@ -177,9 +177,9 @@ fn too_far() -> Outcome {
         let mut flying = start(frame, &initial).map_err(|error| error.to_string())?;
         let limit = MOST_TURN / 4.0;
         for (angle, expected) in [
-            (turn, Err(Rejected::Angle)),
-            (-turn, Err(Rejected::Angle)),
-            (limit.next_up(), Err(Rejected::Angle)),
+            (turn, Err(Rejected::Turn)),
+            (-turn, Err(Rejected::Turn)),
+            (limit.next_up(), Err(Rejected::Turn)),
             (limit, Ok(())),
         ] {
             wrong += u64::from(flying.push(&sample(angle), &mut |_, _| ()) != expected);

@@ -1,0 +1,88 @@
+//! The windows that a plan chooses from, the cheapest first.
+
+use schuler::sample::Increment;
+use schuler::strapdown::body::BodyMotion;
+use schuler::strapdown::plan::Shape;
+use schuler::strapdown::window::*;
+
+/// A named window.
+#[derive(Clone, Copy)]
+pub struct Candidate {
+    /// History, block, look-ahead.
+    pub shape: Shape,
+    /// Coefficients of its fit.
+    pub coefficients: usize,
+    /// Order of its series at most.
+    pub terms: usize,
+    /// Integrates a block by a series of some order, with what rounding drops.
+    pub integrate: fn(&[Increment<f64>], f64, usize) -> Option<BodyMotion<f64>>,
+}
+
+fn integrate<W: Window>(
+    samples: &[Increment<f64>],
+    half_time_s: f64,
+    order: usize,
+) -> Option<BodyMotion<f64>> {
+    W::integrate::<f64>(samples, half_time_s, order, true).map(|(body, _)| body)
+}
+
+const fn of<W: Window>() -> Candidate {
+    Candidate {
+        shape: W::SHAPE,
+        coefficients: W::COEFFICIENTS,
+        terms: W::TERMS,
+        integrate: integrate::<W>,
+    }
+}
+
+macro_rules! all {
+    ($($window:ident),+) => {
+        [$(of::<$window>()),+]
+    };
+}
+
+/// Every named window.
+const ALL: &[Candidate] = &schuler::every_window! { all! };
+
+/// Time per sample at block ends, the cheapest first, as `schuler frontier` measures it: long blocks of
+/// slow motion, no neighbours, neighbours on both sides, and last those that look one way, which take the
+/// sensors' noise along.
+const CHEAPEST: &[Shape] = &[
+    (0, 40, 0),
+    (0, 20, 0),
+    (0, 12, 0),
+    (0, 8, 0),
+    (0, 6, 0),
+    (0, 4, 0),
+    (0, 3, 0),
+    (2, 4, 2),
+    (0, 2, 0),
+    (4, 4, 4),
+    (2, 2, 2),
+    (2, 4, 0),
+    (4, 4, 0),
+    (2, 2, 0),
+];
+
+impl Candidate {
+    /// Of a shape.
+    pub fn find(shape: Shape) -> Option<Self> {
+        ALL.iter().copied().find(|candidate| candidate.shape == shape)
+    }
+
+    /// All, the cheapest first.
+    pub fn all() -> impl Iterator<Item = Self> {
+        CHEAPEST.iter().filter_map(|&shape| Self::find(shape))
+    }
+
+    /// Whether it weighs both sides of its block alike, or its block alone.
+    pub fn is_symmetric(&self) -> bool {
+        self.shape.0 == self.shape.2
+    }
+
+    /// Orders to try below the highest: the lowest there is, and that of its fit's last coefficient.
+    pub fn orders(&self) -> [usize; 3] {
+        let whole = (self.coefficients + 1).min(self.terms);
+        [whole.min(3), whole, self.terms]
+    }
+}

@@ -211,6 +211,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let turned = q * body.rotation;
         let back = turn_back(time.half_turn_sine, time.half_turn_cosine_less_one);
         self.attitude.accumulate(turned + back * (q + turned));
+        self.attitude.keep_unit();
         EarthFixedStep { matrix, slope: slope * R::HALF, curvature: curvature * R::HALF }
     }
 

@@ -12,7 +12,7 @@ pub use within::LocalLevelStep;
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::displacement::{Net, displacement, turned_by};
-use super::frame::{Frame, check_local};
+use super::frame::{Frame, check_local, fold_longitude};
 use super::mechanization::Rejected;
 use super::meridian::{Meridian, curvature};
 use super::two_float::{self, Attitude, Place};
@@ -108,8 +108,10 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let curvature = curvature(sine.hi);
         let altitude = S::from_pair(initial.position.altitude);
         let excess = Self::excess(S::from_pair(sine), altitude, curvature);
+        let mut position = initial.position.map(S::from_pair);
+        fold_longitude(&mut position.longitude);
         Self {
-            position: initial.position.map(S::from_pair),
+            position,
             sine: S::from_pair(sine),
             cosine: S::from_pair(cosine),
             velocity: initial.velocity_ned.map(S::from_pair),
@@ -173,6 +175,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
 
         self.position.latitude.add_pair(moved_to.latitude);
         self.position.longitude.add_pair(moved_to.longitude);
+        fold_longitude(&mut self.position.longitude);
         self.position.altitude.add_pair(moved_to.altitude);
         let (s, c) = (meridian.sine, meridian.cosine);
         self.sine.add(c * change.sine + s * change.cosine_less_one);
@@ -231,6 +234,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             let turned = q * body.rotation;
             self.attitude.accumulate(turned + back * (q + turned));
         }
+        self.attitude.keep_unit();
         self.difference = delta + back.turn_less_one(delta);
         self.second_difference = delta2 + back.turn_less_one(delta2);
         // To first order: a level ∇³ that stood still would leave a vertical one, always the same way.

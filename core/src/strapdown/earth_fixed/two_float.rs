@@ -139,6 +139,7 @@ impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
         let (body_turn, frame_turn) = attitude.turned(body, frame);
         self.attitude.accumulate_pair(body_turn);
         self.attitude.accumulate_pair(frame_turn);
+        self.attitude.keep_unit();
         step
     }
 }

@@ -132,8 +132,9 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         // v = v_e + ω × r
         let omega = Vector::new(Pair::default(), Pair::default(), Pair::of(ROTATION_RATE));
         let velocity = at.velocity_e + omega.cross(at.position_e);
-        let (sine, cosine) = initial.position.latitude.hi.sin_cos();
-        let mut latitude = Latitude { sine, cosine, change: R::ZERO };
+        // As a pair: libm's functions of single precision compute in double.
+        let (sine, cosine) = initial.position.latitude.sin_cos();
+        let mut latitude = Latitude { sine: sine.hi, cosine: cosine.hi, change: R::ZERO };
         let gravitation = gravitation::<R, S>(&mut latitude, at.position_e);
         Self {
             position: at.position_e.map(S::from_pair),

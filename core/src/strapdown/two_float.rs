@@ -88,9 +88,8 @@ pub(super) fn gravity_excess<R: Real>(sine: Pair<R>, altitude: Pair<R>) -> Pair<
     let (x, h) = (s2.hi, altitude.hi);
     // 1/W − 1 = ½e²s² + ⅜(e²s²)² + ⁵⁄₁₆(e²s²)³ + ³⁵⁄₁₂₈(e²s²)⁴
     let bulge = R::of(ECCENTRICITY_SQUARED) * x;
-    let curved = bulge
-        * bulge
-        * (R::of(0.375) + bulge * (R::of(0.3125) + bulge * R::of(35.0 / 128.0)));
+    let curved =
+        bulge * bulge * (R::of(0.375) + bulge * (R::of(0.3125) + bulge * R::of(35.0 / 128.0)));
     let somigliana = R::of(SOMIGLIANA) * x;
     let bent = curved + somigliana * (bulge * R::HALF + curved);
     let lifted = h * (R::of(4.0 * FLATTENING / A) * x + R::of(3.0 / (A * A)) * h);

@@ -18,4 +18,5 @@ mod gravitation;
 mod record;
 mod rejects;
 mod starts;
+mod steps;
 mod stream;

@@ -2,8 +2,8 @@
 
 use super::super::block_time::BlockTime;
 use super::super::body::BodyMotion;
-use super::super::frame::fold_longitude;
 use super::super::displacement::{Net, displacement, turned_by};
+use super::super::frame::fold_longitude;
 use super::super::meridian::{Meridian, PlaceChange};
 use super::{LocalLevel, solution};
 use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic};

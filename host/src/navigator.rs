@@ -281,7 +281,10 @@ pub fn start(
         (Algorithm::Taylor, Precision::F32x2, Frame::LocalLevel) => {
             taylor_two_float::<LocalLevel<TwoFloat<f32>>>(shape, order, single, initial)?
         }
-        (_, Precision::F32x2, _) => return Err(Unavailable::TwoFloat),
+        (Algorithm::Taylor, Precision::F32x2, Frame::EarthFixed) => {
+            taylor_two_float::<EarthFixed<TwoFloat<f32>>>(shape, order, single, initial)?
+        }
+        (Algorithm::Textbook, Precision::F32x2, _) => return Err(Unavailable::TwoFloat),
     };
     Ok(boxed)
 }

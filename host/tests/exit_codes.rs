@@ -78,7 +78,7 @@ fn bad_input_is_told_and_leaves_nothing_behind() {
         ("[navigator]\nwindow = { history = 1, block = 1, lookahead = 1 }\n", &[":6:", "2,4,2"]),
         ("[initial_error]\nyaw_arcsec = 1e9\n", &[":6:", "yaw_arcsec", "648000"]),
         (
-            "[navigator]\nprecision = \"f32x2\"\nframe = \"earth-fixed\"\n",
+            "[navigator]\nprecision = \"f32x2\"\nalgorithm = \"textbook\"\n",
             &["bad.toml:6:", "navigator.precision", "f64"],
         ),
         ("[link]\njitter_s = 0.04\n", &[":6:", "jitter_s"]),

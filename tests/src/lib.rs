@@ -33,7 +33,12 @@ impl Course {
         (scene.gyro, scene.accelerometer) = Default::default();
         scene.rate_hz *= faster;
         scene.duration_s = scene.duration_s.min(seconds);
-        let source = Source::new(&scene, false).unwrap();
+        Self::of(&scene)
+    }
+
+    /// Of a scene, with perfect sensors.
+    pub fn of(scene: &Scene) -> Self {
+        let source = Source::new(scene, false).unwrap();
         let sample = |n| source.perfect_sample(n);
         let samples = (1..=scene.samples()).map(sample).collect();
         Self { source, interval_s: Pair::new(scene.rate_hz).reciprocal(), samples }

@@ -125,6 +125,7 @@ linked! {
     LocalLevel<TwoFloat<f32>>: TwoFloat LocalLevel;
     EarthFixed<Pair<f64>>: Double EarthFixed;
     EarthFixed<Pair<f32>>: Single EarthFixed;
+    EarthFixed<TwoFloat<f32>>: TwoFloat EarthFixed;
     LocalLevelTextbook<f64>: Double LocalLevel;
     LocalLevelTextbook<f32>: Single LocalLevel;
     EarthFixedTextbook<f64>: Double EarthFixed;

@@ -230,6 +230,8 @@ fleet! {
         EarthFixed8: Strapdown<EarthFixed<Pair<f32>>, H2B4A2>,
         TwoFloat4: Strapdown<LocalLevel<TwoFloat<f32>>, H0B4A0>,
         TwoFloat8: Strapdown<LocalLevel<TwoFloat<f32>>, H2B4A2>,
+        TwoFloatEarthFixed4: Strapdown<EarthFixed<TwoFloat<f32>>, H0B4A0>,
+        TwoFloatEarthFixed8: Strapdown<EarthFixed<TwoFloat<f32>>, H2B4A2>,
         LocalLevelTextbook: Textbook<LocalLevelTextbook<f32>>,
         EarthFixedTextbook: Textbook<EarthFixedTextbook<f32>>,
     }

@@ -5,6 +5,7 @@
 //! block and interpolated backwards (Adams).
 
 mod plausible;
+mod two_float;
 
 use super::block_time::{BlockTime, small_turn};
 use super::body::BodyMotion;
@@ -31,6 +32,8 @@ pub struct EarthFixed<S: Accumulate> {
     attitude: Quaternion<S>,
     /// G₀, m/s².
     gravitation: Vector<S::Real>,
+    /// What rounding drops from it; 0 without two-float products.
+    gravitation_low: Vector<S::Real>,
     /// ∇ = G₀ − G₋₁.
     difference: Vector<S::Real>,
     /// ∇² = G₀ − 2G₋₁ + G₋₂.
@@ -65,25 +68,81 @@ fn turn_back<R: Real>(half_sine: R, half_cosine_less_one: R) -> Quaternion<R> {
     Quaternion::new(half_cosine_less_one, Vector::new(R::ZERO, R::ZERO, -half_sine))
 }
 
+/// Gravitation at a position with what is known of its remainder.
+#[inline(always)]
+fn gravitation<R: Real, S: Accumulate<Real = R>>(
+    latitude: &mut Latitude<R>,
+    position_e: Vector<Pair<R>>,
+) -> Vector<Pair<R>> {
+    if S::TWO_FLOAT {
+        two_float::gravitation(latitude, position_e)
+    } else {
+        latitude.gravitation(position_e.map(|c| c.hi)).map(Pair::new)
+    }
+}
+
+impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
+    /// The mean of gravitation over its twofold integral: ½G₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³ + ³⁄₃₂∇⁴.
+    #[inline(always)]
+    fn fall(&self) -> Vector<R> {
+        let small = self.third_difference * R::of(19.0 / 180.0)
+            + self.fourth_difference * R::of(3.0 / 32.0);
+        self.gravitation * R::HALF
+            + self.difference * R::of(1.0 / 6.0)
+            + (self.second_difference * R::of(0.125) + small)
+    }
+
+    /// Gravitation's mean over the block less G₀, ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴ − ³⁄₁₆₀δ⁵, from
+    /// δ = G₁ − G₀; and δ to δ⁴.
+    #[inline(always)]
+    fn mean_beyond_start(&self, delta: Vector<R>) -> (Vector<R>, [Vector<R>; 4]) {
+        // δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³, δ⁵ = δ⁴ − ∇⁴
+        let delta2 = delta - self.difference;
+        let delta3 = delta2 - self.second_difference;
+        let delta4 = delta3 - self.third_difference;
+        let delta5 = delta4 - self.fourth_difference;
+        let small = delta3 * R::of(1.0 / 24.0)
+            + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
+        let mean = delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
+        (mean, [delta, delta2, delta3, delta4])
+    }
+
+    /// What the next block finds as ∇ to ∇⁴.
+    #[inline(always)]
+    fn turn_differences(
+        &mut self,
+        [delta, delta2, delta3, delta4]: [Vector<R>; 4],
+        time: &BlockTime<R>,
+    ) {
+        let turn = |x: Vector<R>| turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
+        self.difference = delta + turn(delta);
+        self.second_difference = delta2 + turn(delta2);
+        self.third_difference = delta3 + turn(delta3);
+        self.fourth_difference = delta4;
+    }
+}
+
 impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
     type Real = R;
     type Output = EarthFixedSolution<R>;
     type Step = EarthFixedStep<R>;
-    const TWO_FLOAT: bool = false;
+    const TWO_FLOAT: bool = S::TWO_FLOAT;
 
     fn start(initial: &Solution<R>) -> Self {
         let at = initial.to_earth_fixed();
         // v = v_e + ω × r
         let omega = Vector::new(Pair::default(), Pair::default(), Pair::of(ROTATION_RATE));
         let velocity = at.velocity_e + omega.cross(at.position_e);
-        let (sine, cosine) = initial.position.latitude.hi.sin_cos();
-        let mut latitude = Latitude { sine, cosine, change: R::ZERO };
-        let gravitation = latitude.gravitation(at.position_e.map(|c| c.hi));
+        // As a pair: libm's functions of single precision compute in double.
+        let (sine, cosine) = initial.position.latitude.sin_cos();
+        let mut latitude = Latitude { sine: sine.hi, cosine: cosine.hi, change: R::ZERO };
+        let gravitation = gravitation::<R, S>(&mut latitude, at.position_e);
         Self {
             position: at.position_e.map(S::from_pair),
             velocity: velocity.map(S::from_pair),
             attitude: at.attitude.map(S::from_pair),
-            gravitation,
+            gravitation: gravitation.map(|c| c.hi),
+            gravitation_low: gravitation.map(|c| c.lo),
             difference: Vector::ZERO,
             second_difference: Vector::ZERO,
             third_difference: Vector::ZERO,
@@ -103,15 +162,18 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
             let jerk = force.rate + self.difference * (R::ONE / time.time.hi);
             let back = |t: R| {
                 let rest = jerk * R::of(1.0 / 6.0) - force.rate_growth * (t * R::of(1.0 / 24.0));
-                let position = self.position.value() - self.velocity.value() * t
-                    + (acceleration * R::HALF - rest * t) * (t * t);
+                let moved =
+                    (acceleration * R::HALF - rest * t) * (t * t) - self.velocity.value() * t;
+                let mut position = self.position;
+                position.accumulate(moved);
                 let mut latitude = self.latitude;
-                latitude.gravitation(position)
+                // From G₀, which is the zero here.
+                let there = gravitation::<R, S>(&mut latitude, position.map(S::pair));
+                let high = there.map(|c| c.hi) - self.gravitation;
+                high + (there.map(|c| c.lo) - self.gravitation_low)
             };
-            let (g0, g1) = (self.gravitation, back(time.time.hi));
-            let (g2, g3) = (back(R::TWO * time.time.hi), back(R::of(3.0) * time.time.hi));
-            let g4 = back(R::of(4.0) * time.time.hi);
-            let (first, second, third, last) = (g0 - g1, g1 - g2, g2 - g3, g3 - g4);
+            let [g1, g2, g3, g4] = [1.0, 2.0, 3.0, 4.0].map(|k| back(R::of(k) * time.time.hi));
+            let (first, second, third, last) = (-g1, g1 - g2, g2 - g3, g3 - g4);
             self.difference = first;
             self.second_difference = first - second;
             self.third_difference = self.second_difference - (second - third);
@@ -138,48 +200,37 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
 
     #[inline(always)]
     fn step(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) -> EarthFixedStep<R> {
+        if S::TWO_FLOAT {
+            return self.step_two_float(time, body);
+        }
         let t = time.time.hi;
         let q = self.attitude.value();
         let matrix = q.matrix(R::ONE);
         let v = self.velocity.value();
-        let (g0, nabla, nabla2) = (self.gravitation, self.difference, self.second_difference);
-        // Δr = vT + C s + T²(½G₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³ + ³⁄₃₂∇⁴)
-        let small = self.third_difference * R::of(19.0 / 180.0)
-            + self.fourth_difference * R::of(3.0 / 32.0);
-        let fall =
-            g0 * R::HALF + nabla * R::of(1.0 / 6.0) + (nabla2 * R::of(0.125) + small);
         let moved = v * t
             + (matrix * body.position
-                + fall * time.square
+                + self.fall() * time.square
                 + self.velocity.low_product(time.time, R::ONE));
         let position = self.position.value() + moved;
-        // G₁ = G(r + Δr), δ = G₁ − G₀, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³, δ⁵ = δ⁴ − ∇⁴
+        // Δv = C u + T(G₀ + ½δ − …)
         let g1 = self.latitude.gravitation(position);
-        let delta = g1 - g0;
-        let delta2 = delta - nabla;
-        let delta3 = delta2 - nabla2;
-        let delta4 = delta3 - self.third_difference;
-        let delta5 = delta4 - self.fourth_difference;
-        // Δv = C u + T(G₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴ − ³⁄₁₆₀δ⁵)
-        let small = delta3 * R::of(1.0 / 24.0)
-            + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
-        let mean = g1 - delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
-        let gained = matrix * body.velocity + mean * t;
+        let delta = g1 - self.gravitation;
+        let (mean, differences) = self.mean_beyond_start(delta);
+        let gained = matrix * body.velocity + (self.gravitation + mean) * t;
+        let (slope, curvature) = (delta + self.difference, delta - self.difference);
 
         // All turn with the Earth, Rz(−ωT), in the same increments.
         let turn = |x: Vector<R>| turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
         self.position.accumulate(moved + turn(position));
         self.velocity.accumulate(gained + turn(v + gained));
         self.gravitation = g1 + turn(g1);
-        self.difference = delta + turn(delta);
-        self.second_difference = delta2 + turn(delta2);
-        self.third_difference = delta3 + turn(delta3);
-        self.fourth_difference = delta4;
+        self.turn_differences(differences, time);
         // q ← q_z(−ωT) ⊗ q ⊗ q_bb
         let turned = q * body.rotation;
         let back = turn_back(time.half_turn_sine, time.half_turn_cosine_less_one);
         self.attitude.accumulate(turned + back * (q + turned));
-        EarthFixedStep { matrix, slope: (delta + nabla) * R::HALF, curvature: delta2 * R::HALF }
+        self.attitude.keep_unit();
+        EarthFixedStep { matrix, slope: slope * R::HALF, curvature: curvature * R::HALF }
     }
 
     #[inline]
@@ -230,7 +281,9 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let climb = up.dot(self.velocity.value()) + down;
         self.velocity.accumulate(omega.cross(lifted) - up * climb);
         let mut latitude = self.latitude;
-        self.gravitation = latitude.gravitation(self.position.value());
+        let gravitation = gravitation::<R, S>(&mut latitude, self.position.map(S::pair));
+        self.gravitation = gravitation.map(|c| c.hi);
+        self.gravitation_low = gravitation.map(|c| c.lo);
     }
 
     #[inline(always)]
@@ -273,6 +326,7 @@ where
         velocity,
         attitude,
         gravitation,
+        gravitation_low,
         difference,
         second_difference,
         third_difference,

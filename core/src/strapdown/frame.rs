@@ -5,6 +5,7 @@ use super::body::BodyMotion;
 use super::mechanization::Rejected;
 use super::plausible::Plausible;
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
+use crate::math::compensated::{Accumulate, Pair};
 use crate::math::quaternion::Matrix;
 use crate::math::real::{Real, Scalar};
 use crate::math::vector::Vector;
@@ -107,6 +108,25 @@ pub(super) fn check_local<R: Real>(cosine: R, altitude: R) -> Result<(), Rejecte
         Err(Rejected::Pole)
     } else {
         Ok(())
+    }
+}
+
+/// Brings a longitude of at most ±3π back into ±180°, with all the digits of 2π; within ±180° it stays as it
+/// is, to the last bit.
+#[inline(always)]
+pub(super) fn fold_longitude<S: Accumulate>(longitude: &mut S) {
+    // π and 2π in two parts
+    let rest = S::Real::entry(-8.742_278e-8, 1.224_646_799_147_353_2e-16);
+    let half = Pair { hi: S::Real::of(core::f64::consts::PI), lo: rest };
+    let Pair { hi, lo } = longitude.pair();
+    let west = hi.less(S::Real::ZERO);
+    let beyond = (hi.abs() - half.hi) + (S::Real::select(west, -lo, lo) - half.lo);
+    let outside = S::Real::ZERO.less(beyond);
+    if S::Real::any(outside) {
+        let turn = Pair { hi: half.hi + half.hi, lo: half.lo + half.lo };
+        let signed = |x: S::Real| S::Real::select(west, x, -x);
+        let folded = Pair { hi, lo } + Pair { hi: signed(turn.hi), lo: signed(turn.lo) };
+        *longitude = S::select(outside, S::from_pair(folded), *longitude);
     }
 }
 

@@ -13,7 +13,7 @@ pub use within::LocalLevelStep;
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::displacement::{Net, displacement, turned_by};
-use super::frame::{Frame, check_local, stretched};
+use super::frame::{Frame, check_local, fold_longitude, stretched};
 use super::mechanization::Rejected;
 use super::meridian::{Meridian, curvature};
 use super::two_float::{self, Attitude, Place};
@@ -41,6 +41,8 @@ pub struct LocalLevel<S: Accumulate> {
     curvature: S::Real,
     /// γ − γ_e here, m/s².
     gravity_excess: S::Real,
+    /// What rounding drops from it; 0 without two-float products.
+    gravity_excess_low: S::Real,
     /// What rounding left over from Δλ + ωT; 0 without two-float products.
     longitude_rest: S::Real,
     /// ∇, ∇² and ∇³ of plumb gravity, in the present axes.
@@ -73,13 +75,25 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         )
     }
 
+    /// γ − γ_e with what is known of its remainder.
+    #[inline(always)]
+    fn excess(sine: S, altitude: S, curvature: R) -> Pair<R> {
+        if S::TWO_FLOAT {
+            two_float::gravity_excess(sine.pair(), altitude.pair())
+        } else {
+            Pair::new(gravity_excess(sine.value(), altitude.value(), curvature))
+        }
+    }
+
     /// The change of δ: plumb gravity at the new place less that at the old one, in n0.
     #[inline(always)]
-    fn plumb_change(&self, excess: R, turn: Quaternion<R>) -> Vector<R> {
+    fn plumb_change(&self, excess: Pair<R>, turn: Quaternion<R>) -> Vector<R> {
         // δ = (dγ₁ − dγ₀)ẑ + γ₁(C − I)ẑ
         let tilt = turn.turn_less_one(Vector::new(R::ZERO, R::ZERO, R::ONE));
-        let mut delta = tilt * (R::of(EQUATORIAL_GRAVITY) + excess);
-        delta.z = delta.z + (excess - self.gravity_excess);
+        let mut delta = tilt * (R::of(EQUATORIAL_GRAVITY) + excess.hi);
+        let grown = excess.hi - self.gravity_excess;
+        delta.z = delta.z
+            + if S::TWO_FLOAT { grown + (excess.lo - self.gravity_excess_low) } else { grown };
         delta
     }
 }
@@ -93,14 +107,19 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
     fn start(initial: &Solution<R>) -> Self {
         let (sine, cosine) = initial.position.latitude.sin_cos();
         let curvature = curvature(sine.hi);
+        let altitude = S::from_pair(initial.position.altitude);
+        let excess = Self::excess(S::from_pair(sine), altitude, curvature);
+        let mut position = initial.position.map(S::from_pair);
+        fold_longitude(&mut position.longitude);
         Self {
-            position: initial.position.map(S::from_pair),
+            position,
             sine: S::from_pair(sine),
             cosine: S::from_pair(cosine),
             velocity: initial.velocity_ned.map(S::from_pair),
             attitude: initial.attitude.map(S::from_pair),
             curvature,
-            gravity_excess: gravity_excess(sine.hi, initial.position.altitude.hi, curvature),
+            gravity_excess: excess.hi,
+            gravity_excess_low: excess.lo,
             longitude_rest: R::ZERO,
             difference: Vector::ZERO,
             second_difference: Vector::ZERO,
@@ -172,13 +191,13 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
 
         self.position.latitude.add_pair(moved_to.latitude);
         self.position.longitude.add_pair(moved_to.longitude);
+        fold_longitude(&mut self.position.longitude);
         self.position.altitude.add_pair(moved_to.altitude);
         let (s, c) = (meridian.sine, meridian.cosine);
         self.sine.add(c * change.sine + s * change.cosine_less_one);
         self.cosine.add(c * change.cosine_less_one - s * change.sine);
         self.curvature = curvature(self.sine.value());
-        let excess =
-            gravity_excess(self.sine.value(), self.position.altitude.value(), self.curvature);
+        let excess = Self::excess(self.sine, self.position.altitude, self.curvature);
         // δ, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³, δ⁵ = δ⁴ − ∇⁴
         let delta = self.plumb_change(excess, turn);
         let delta2 = delta - nabla;
@@ -189,13 +208,16 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let small = delta3 * R::of(1.0 / 24.0)
             + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
         let mut mean = delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
-        mean.z = mean.z + self.gravity_excess;
+        let before = Pair { hi: self.gravity_excess, lo: self.gravity_excess_low };
+        if !S::TWO_FLOAT {
+            mean.z = mean.z + before.hi;
+        }
         let drag = turned_by(omega, moved.inertial);
         let rest = mean * t - drag;
         let attitude = Attitude::of(self.attitude.pair());
         if S::TWO_FLOAT {
             let mut gained = attitude.rotated(body);
-            gained.z = gained.z + time.gravity;
+            gained.z = gained.z + time.gravity + before * time.time;
             self.velocity.accumulate_pair(gained);
             // Ω was rounded with ω_ie.
             let omega_low = R::residual(ROTATION_RATE) / R::of(ROTATION_RATE);
@@ -208,7 +230,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             self.velocity.z.add(fallen);
             self.velocity.z.add(rest.z + (low + time.gravity.lo));
         }
-        self.gravity_excess = excess;
+        self.gravity_excess = excess.hi;
+        self.gravity_excess_low = excess.lo;
 
         // Into the axes at the end: v ← q* v, q_b ← q* ⊗ q_b ⊗ q_bb
         let back = turn.conjugate();
@@ -227,6 +250,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             let turned = q * body.rotation;
             self.attitude.accumulate(turned + back * (q + turned));
         }
+        self.attitude.keep_unit();
         self.difference = delta + back.turn_less_one(delta);
         self.second_difference = delta2 + back.turn_less_one(delta2);
         // To first order: a level ∇³ that stood still would leave a vertical one, always the same way.
@@ -255,7 +279,9 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
     fn hold_vertical(&mut self, altitude: R, down: R) {
         self.position.altitude = S::from_pair(Pair::new(altitude));
         self.velocity.z = S::from_pair(Pair::new(down));
-        self.gravity_excess = gravity_excess(self.sine.value(), altitude, self.curvature);
+        let excess = Self::excess(self.sine, self.position.altitude, self.curvature);
+        self.gravity_excess = excess.hi;
+        self.gravity_excess_low = excess.lo;
     }
 
     #[inline(always)]
@@ -294,6 +320,7 @@ where
         attitude,
         curvature,
         gravity_excess,
+        gravity_excess_low,
         longitude_rest,
         difference,
         second_difference,

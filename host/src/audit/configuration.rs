@@ -159,7 +159,8 @@ macro_rules! configurations {
 
 type Level<R> = LocalLevel<Pair<R>>;
 type Fixed<R> = EarthFixed<Pair<R>>;
-type Precise = LocalLevel<TwoFloat<f32>>;
+type PreciseLevel = LocalLevel<TwoFloat<f32>>;
+type PreciseFixed = EarthFixed<TwoFloat<f32>>;
 
 configurations! {
     F64 LocalLevel: textbook LocalLevelTextbook<f64>, H0B4A0 Level<f64>, H2B4A2 Level<f64>,
@@ -168,5 +169,6 @@ configurations! {
     F32 LocalLevel: textbook LocalLevelTextbook<f32>, H0B4A0 Level<f32>, H2B4A2 Level<f32>,
         Parabola20 Level<f32>;
     F32 EarthFixed: textbook EarthFixedTextbook<f32>, H0B4A0 Fixed<f32>, H2B4A2 Fixed<f32>;
-    F32x2 LocalLevel: H0B4A0 Precise, H2B4A2 Precise;
+    F32x2 LocalLevel: H0B4A0 PreciseLevel, H2B4A2 PreciseLevel;
+    F32x2 EarthFixed: H0B4A0 PreciseFixed, H2B4A2 PreciseFixed;
 }

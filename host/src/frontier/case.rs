@@ -106,7 +106,7 @@ impl Case {
                 if COMPARED.contains(shape) {
                     all.extend([PlainDouble, PlainSingle, Coarse].map(taylor));
                 }
-                if frame == Frame::LocalLevel && TWO_FLOAT.contains(shape) {
+                if TWO_FLOAT.contains(shape) {
                     all.push(taylor(Named(Precision::F32x2)));
                 }
             }

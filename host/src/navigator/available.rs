@@ -2,7 +2,7 @@
 
 use super::{TAYLOR, TWO_FLOAT};
 use crate::input::Complaint;
-use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
+use crate::scene::{Algorithm, Navigator, Precision, WindowShape};
 use schuler::strapdown::mechanization::StartError;
 use schuler::strapdown::plan::Shape;
 use schuler::strapdown::window::*;
@@ -50,7 +50,7 @@ impl Unavailable {
             }
             Self::NoWindow => Complaint::new("textbook has no window", "auto, or taylor"),
             Self::TwoFloat => {
-                let accepted = "f32x2 with taylor and local-level, else f64, f32";
+                let accepted = "f32x2 with taylor, else f64, f32";
                 Complaint::new("f32x2 is not to be had here", accepted)
             }
             Self::Start(error) => Complaint::new(error.to_string(), ""),
@@ -74,10 +74,10 @@ impl From<StartError> for Unavailable {
 
 /// Whether there is a navigator of this algorithm, precision, frame and window.
 pub fn check(navigator: &Navigator) -> Result<(), Unavailable> {
-    let Navigator { algorithm, precision, frame, window, .. } = *navigator;
-    let (of, accepted) = match (algorithm, precision, frame) {
-        (Algorithm::Taylor, Precision::F32x2, Frame::LocalLevel) => ("f32x2", TWO_FLOAT),
-        (_, Precision::F32x2, _) => return Err(Unavailable::TwoFloat),
+    let Navigator { algorithm, precision, window, .. } = *navigator;
+    let (of, accepted) = match (algorithm, precision) {
+        (Algorithm::Taylor, Precision::F32x2) => ("f32x2", TWO_FLOAT),
+        (Algorithm::Textbook, Precision::F32x2) => return Err(Unavailable::TwoFloat),
         (Algorithm::Textbook, ..) if window.is_some() => return Err(Unavailable::NoWindow),
         _ => ("taylor", TAYLOR),
     };

@@ -38,6 +38,9 @@ pub fn cases() -> Vec<Case> {
         add("local-level f32x2", |days, p| {
             stored(days, Strapdown::<LocalLevel<TwoFloat<f32>>, H0B4A0>::new, p)
         });
+        add("earth-fixed f32x2", |days, p| {
+            stored(days, Strapdown::<EarthFixed<TwoFloat<f32>>, H0B4A0>::new, p)
+        });
         add("textbook f64", |days, p| {
             stored(days, |h| Textbook::<LocalLevelTextbook<f64>>::new(h.hi), p)
         });

@@ -99,8 +99,8 @@ fn starts(frame: Frame) -> Outcome {
     Ok(vec![Check::never("not refused", wrong, "a typed error for every number of a start")])
 }
 
-/// Every navigator there is: textbook and each window, in both frames and two precisions; windows with
-/// two-float products in one frame.
+/// Every navigator there is: textbook and each window, in both frames and two precisions, and those with
+/// two-float products.
 fn every_navigator() -> Vec<(Navigator, WindowShape)> {
     let mut all = Vec::new();
     for &(_, frame) in Frame::NAMES {
@@ -110,9 +110,9 @@ fn every_navigator() -> Vec<(Navigator, WindowShape)> {
             let textbook = Navigator { algorithm: Algorithm::Textbook, ..navigator };
             all.push((textbook, plan::UNKNOWN.into()));
         }
+        let two_float = Navigator { precision: Precision::F32x2, ..navigator(frame) };
+        all.extend(TWO_FLOAT.iter().map(|&shape| (two_float, shape.into())));
     }
-    let two_float = Navigator { precision: Precision::F32x2, ..navigator(Frame::LocalLevel) };
-    all.extend(TWO_FLOAT.iter().map(|&shape| (two_float, shape.into())));
     all
 }
 

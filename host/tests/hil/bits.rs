@@ -14,6 +14,7 @@ fn scenes() -> Vec<Scene> {
         (Precision::F32, Frame::LocalLevel, Algorithm::Taylor, (0, 4, 0)),
         (Precision::F64, Frame::EarthFixed, Algorithm::Taylor, (2, 4, 2)),
         (Precision::F32x2, Frame::LocalLevel, Algorithm::Taylor, (2, 4, 2)),
+        (Precision::F32x2, Frame::EarthFixed, Algorithm::Taylor, (0, 4, 0)),
         (Precision::F64, Frame::LocalLevel, Algorithm::Textbook, (0, 0, 0)),
         (Precision::F32, Frame::EarthFixed, Algorithm::Textbook, (0, 0, 0)),
     ] {

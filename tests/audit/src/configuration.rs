@@ -25,7 +25,7 @@ pub struct Configuration {
 macro_rules! configurations {
     ($($title:literal: $mechanization:ident<$($of:ty),+>;)+) => {
         /// All of them.
-        pub const ALL: [Configuration; 16] = [$(Configuration {
+        pub const ALL: [Configuration; 18] = [$(Configuration {
             title: $title,
             fly: |flown, reader| {
                 let interval_s = Pair::narrow(flown.interval_s);
@@ -41,7 +41,8 @@ macro_rules! configurations {
 
 type Level<R> = LocalLevel<Pair<R>>;
 type Fixed<R> = EarthFixed<Pair<R>>;
-type Precise = LocalLevel<TwoFloat<f32>>;
+type PreciseLevel = LocalLevel<TwoFloat<f32>>;
+type PreciseFixed = EarthFixed<TwoFloat<f32>>;
 
 configurations! {
     "f64 local-level textbook": Textbook<LocalLevelTextbook<f64>>;
@@ -58,8 +59,10 @@ configurations! {
     "f32 earth-fixed textbook": Textbook<EarthFixedTextbook<f32>>;
     "f32 earth-fixed taylor 0,4,0": Strapdown<Fixed<f32>, H0B4A0>;
     "f32 earth-fixed taylor 2,4,2": Strapdown<Fixed<f32>, H2B4A2>;
-    "f32x2 local-level taylor 0,4,0": Strapdown<Precise, H0B4A0>;
-    "f32x2 local-level taylor 2,4,2": Strapdown<Precise, H2B4A2>;
+    "f32x2 local-level taylor 0,4,0": Strapdown<PreciseLevel, H0B4A0>;
+    "f32x2 local-level taylor 2,4,2": Strapdown<PreciseLevel, H2B4A2>;
+    "f32x2 earth-fixed taylor 0,4,0": Strapdown<PreciseFixed, H0B4A0>;
+    "f32x2 earth-fixed taylor 2,4,2": Strapdown<PreciseFixed, H2B4A2>;
 }
 
 /// Flies one, from the true state and with the samples that the sensors deliver.

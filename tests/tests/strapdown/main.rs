@@ -19,5 +19,6 @@ mod record;
 mod rejects;
 mod restored;
 mod starts;
+mod steps;
 mod stream;
 mod unequal;

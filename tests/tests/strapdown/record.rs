@@ -77,6 +77,7 @@ fn a_frame_goes_on_from_its_words_bit_for_bit() {
     goes_on::<LocalLevel<Plain<f64>>>();
     goes_on::<EarthFixed<Plain<f64>>>();
     goes_on::<LocalLevel<TwoFloat<f64>>>();
+    goes_on::<EarthFixed<TwoFloat<f64>>>();
 }
 
 /// Wherever in a block the stream is interrupted: samples that wait are part of the state.

@@ -19,6 +19,15 @@ pub trait Accumulate: Copy {
     fn remainder(self) -> Self::Real;
     /// Whether the products that matter are carried to twice the digits, too.
     const TWO_FLOAT: bool = false;
+    /// `yes` where the mask holds, else `no`, to the last bit.
+    #[inline(always)]
+    fn select(mask: <Self::Real as Real>::Mask, yes: Self, no: Self) -> Self {
+        let (yes, no) = (yes.pair(), no.pair());
+        Self::from_pair(Pair {
+            hi: Real::select(mask, yes.hi, no.hi),
+            lo: Real::select(mask, yes.lo, no.lo),
+        })
+    }
     /// Adds an increment.
     fn add(&mut self, d: Self::Real);
     /// Adds an increment with its own remainder, as far as this sum keeps one.
@@ -156,7 +165,36 @@ impl<S: Accumulate> Vector<S> {
     }
 }
 
+/// By how much |q|² may be off 1 before an attitude is brought back: some ulps, so that rounding alone
+/// does not count, and a flight that hardly turns keeps its bits.
+fn longest_excess<R: Real>() -> R {
+    R::entry(2e-6, 4e-15)
+}
+
 impl<S: Accumulate> Quaternion<S> {
+    /// Brings an attitude back to unit length where the rounding of many turns has added up.
+    #[inline(always)]
+    pub fn keep_unit(&mut self) {
+        let q = self.value();
+        let excess = (q.dot(q) - S::Real::ONE).abs();
+        let long = longest_excess::<S::Real>().less(excess);
+        if S::Real::any(long) {
+            self.shorten(long);
+        }
+    }
+
+    /// q ← q + ½q(1 − |q|²) where the mask holds, |q|² to twice the digits.
+    #[inline(never)]
+    fn shorten(&mut self, long: <S::Real as Real>::Mask) {
+        let q = self.pair();
+        let square = q.w * q.w + q.v.dot(q.v);
+        let half = (Pair::new(S::Real::ONE) - square) * Pair::new(S::Real::HALF);
+        let mut unit = *self;
+        unit.accumulate_pair(q * half);
+        self.w = S::select(long, unit.w, self.w);
+        self.v = unit.v.zip(self.v, |unit, q| S::select(long, unit, q));
+    }
+
     /// Adds an increment.
     #[inline(always)]
     pub fn accumulate(&mut self, d: Quaternion<S::Real>) {

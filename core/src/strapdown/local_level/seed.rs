@@ -5,7 +5,7 @@ use super::super::body::BodyMotion;
 use super::super::displacement::{Net, displacement};
 use super::super::frame::Beginning;
 use super::super::meridian::curvature;
-use super::{LocalLevel, gravity_excess};
+use super::LocalLevel;
 use crate::earth::{self, EQUATORIAL_GRAVITY, ROTATION_RATE};
 use crate::math::compensated::Accumulate;
 use crate::math::real::Real;
@@ -32,10 +32,11 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
                 let change = meridian.moved(moved.relative);
                 let turn =
                     meridian.frame_turn(&change, change.longitude + R::of(ROTATION_RATE) * t);
-                let sine = meridian.sine
-                    + (meridian.sine * change.cosine_less_one + meridian.cosine * change.sine);
-                let altitude = self.position.altitude.value() + change.altitude;
-                self.plumb_change(gravity_excess(sine, altitude, curvature(sine)), turn)
+                let (mut sine, mut altitude) = (self.sine, self.position.altitude);
+                sine.add(meridian.sine * change.cosine_less_one + meridian.cosine * change.sine);
+                altitude.add(change.altitude);
+                let excess = Self::excess(sine, altitude, curvature(sine.value()));
+                self.plumb_change(excess, turn)
             };
             // From G̃₀, which is the zero here.
             let (g1, g2) = (back(-time.time.hi), back(-(R::TWO * time.time.hi)));

@@ -3,6 +3,7 @@
 use super::super::block_time::BlockTime;
 use super::super::body::BodyMotion;
 use super::super::displacement::{Net, displacement, turned_by};
+use super::super::frame::fold_longitude;
 use super::super::meridian::{Meridian, PlaceChange};
 use super::{LocalLevel, solution};
 use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic};
@@ -28,6 +29,7 @@ pub struct LocalLevelStep<R> {
 fn add_place<S: Accumulate>(position: &mut Geodetic<S>, change: &PlaceChange<S::Real>) {
     position.latitude.add(change.latitude);
     position.longitude.add(change.longitude);
+    fold_longitude(&mut position.longitude);
     position.altitude.add(change.altitude);
 }
 

@@ -3,13 +3,13 @@
 use super::TextbookFrame;
 use super::body::{Compensated, rotation};
 use crate::earth::{self, Geodetic, Radii, gravity};
-use crate::math::compensated::Pair;
+use crate::math::compensated::{Pair, Plain};
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::record::{Record, record};
 use crate::solution::Solution;
-use crate::strapdown::frame::check_local;
+use crate::strapdown::frame::{check_local, fold_longitude};
 use crate::strapdown::mechanization::Rejected;
 use crate::strapdown::plausible::{MOST_SPEED, Plausible, agree, is_attitude};
 use core::f64::consts::{FRAC_PI_2, TAU};
@@ -41,12 +41,20 @@ fn advance<R: Real>(sine: R, cosine: R, angle: R) -> (R, R) {
     (sine + (cosine * d - sine * versine), cosine - (sine * d + cosine * versine))
 }
 
+/// The longitude brought back into ±180°.
+#[inline(always)]
+fn folded<R: Real>(position: Geodetic<R>) -> Geodetic<R> {
+    let mut longitude = Plain(position.longitude);
+    fold_longitude(&mut longitude);
+    Geodetic { longitude: longitude.0, ..position }
+}
+
 impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
     type Real = R;
     type Output = Solution<R>;
 
     fn start(initial: &Solution<R>) -> Self {
-        let position = initial.position.map(|c| c.hi);
+        let position = folded(initial.position.map(|c| c.hi));
         // As a pair: libm's functions of single precision compute in double.
         let (sine, cosine) = Pair::new(position.latitude).sin_cos();
         Self {
@@ -97,6 +105,7 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
         self.position.latitude = self.position.latitude + self.latitude_change;
         self.position.longitude = self.position.longitude + h * mean.y / (east_radius * c);
         self.position.altitude = self.position.altitude + self.altitude_change;
+        self.position = folded(self.position);
         (self.sine, self.cosine) = advance(self.sine, self.cosine, self.latitude_change);
 
         // q ← q(−ζ) ⊗ q ⊗ q(φ)

@@ -94,6 +94,7 @@ impl<'a> Simulation<'a> {
             scene: scene.clone(),
             samples,
             window: plan.flown_window(scene),
+            edges: vehicle.navigator().edges(),
             skipped: plan.skipped(scene, &source, vehicle.navigator()),
             digest: format!("{:016x}", vehicle.digest()),
             last: log.last,

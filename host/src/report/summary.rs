@@ -1,7 +1,7 @@
 //! `summary.json`: a run in numbers, for programs.
 
 use super::{Nine, norm};
-use crate::flight::{Flight, LinkReport};
+use crate::flight::{Edges, Flight, LinkReport};
 use crate::input::InputError;
 use crate::output;
 use crate::scene::WindowShape;
@@ -19,6 +19,7 @@ struct Summary<'a> {
     frame: &'static str,
     algorithm: &'static str,
     window: Option<WindowShape>,
+    edges: Option<Edges>,
     skipped: Vec<Skipped<'a>>,
     saturated: u64,
     lost: u64,
@@ -93,6 +94,7 @@ impl<'a> Summary<'a> {
             frame: scene.navigator.frame.name(),
             algorithm: scene.navigator.algorithm.name(),
             window: flight.window,
+            edges: flight.edges,
             skipped: flight
                 .skipped
                 .iter()
@@ -146,7 +148,8 @@ mod tests {
     fn has_every_key() {
         let tree: Value = serde_json::from_str(&json(&sample::flight())).unwrap();
         let plain = "scene samples duration_s rate_hz seed precision frame algorithm window.history \
-                     window.block window.lookahead skipped saturated lost digest \
+                     window.block window.lookahead edges.first.gyro edges.first.accelerometer \
+                     edges.last.gyro edges.last.accelerometer skipped saturated lost digest \
                      time.trajectory_ns_per_sample time.emulate_ns_per_sample time.navigate_ns_per_sample";
         let components = "north_m east_m down_m position_m velocity_m_s attitude_arcsec";
         let mut keys: Vec<String> = plain.split_whitespace().map(str::to_owned).collect();

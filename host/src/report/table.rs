@@ -115,7 +115,9 @@ pub fn table(flight: &Flight) -> String {
 fn edges(flight: &Flight) -> Option<String> {
     let part = |name: &str, used: Option<Used>| {
         let Used { gyro, accelerometer } = used?;
-        Some(format!("{gyro} of the gyros and {accelerometer} of the accelerometers in the {name} block"))
+        Some(format!(
+            "{gyro} of the gyros and {accelerometer} of the accelerometers in the {name} block"
+        ))
     };
     let edges = flight.edges?;
     let parts: Vec<_> =

@@ -13,9 +13,11 @@ macro_rules! every_window {
 mod accuracy;
 mod body;
 mod coning;
+mod edges;
 mod fit;
 mod gravitation;
 mod record;
 mod rejects;
+mod responses;
 mod starts;
 mod stream;

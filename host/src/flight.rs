@@ -75,6 +75,24 @@ pub struct Skipped {
     pub saved: String,
 }
 
+/// Samples that a block was fitted through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Used {
+    /// Of the gyros.
+    pub gyro: u32,
+    /// Of the accelerometers.
+    pub accelerometer: u32,
+}
+
+/// How long a window the samples supported where a window is one-sided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Edges {
+    /// In the first block; `None` where its window is like any other.
+    pub first: Option<Used>,
+    /// In the last such block; `None` where there was none.
+    pub last: Option<Used>,
+}
+
 /// Extremes of the drift.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extremes {
@@ -196,6 +214,8 @@ pub struct Flight {
     pub window: Option<WindowShape>,
     /// How it was chosen.
     pub planned: Option<Planned>,
+    /// How long the windows at the edges were; `None` for textbook.
+    pub edges: Option<Edges>,
     /// What was skipped.
     pub skipped: Vec<Skipped>,
     /// Digest of every state, hex.

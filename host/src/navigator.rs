@@ -4,6 +4,7 @@ mod available;
 
 pub use available::{Unavailable, check, terms};
 
+use crate::flight::{Edges, Used};
 use crate::lanes::abreast::Refused;
 use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
 use schuler::digest::Digest;
@@ -18,6 +19,7 @@ use schuler::strapdown::frame::Output;
 use schuler::strapdown::local_level::LocalLevel;
 use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;
+use schuler::strapdown::newton;
 use schuler::strapdown::plan::Shape;
 use schuler::strapdown::textbook::{
     EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
@@ -49,6 +51,8 @@ pub trait Navigate: Send {
     fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected>;
     /// Samples integrated so far.
     fn integrated(&self) -> u64;
+    /// How long the windows at the edges were so far; `None` for textbook.
+    fn edges(&self) -> Option<Edges>;
     /// Digest of every state so far.
     fn digest(&self) -> u64;
     /// Flies samples from the start again, after those `before`, without reading a row: what a stage
@@ -217,6 +221,15 @@ where
 
     fn integrated(&self) -> u64 {
         M::integrated(&self.state)
+    }
+
+    fn edges(&self) -> Option<Edges> {
+        let used = |used: newton::Used<M::Real>| {
+            let [gyro, accelerometer] = [used.gyro, used.accelerometer].map(|n| n.widen() as u32);
+            (gyro > 0).then_some(Used { gyro, accelerometer })
+        };
+        let edges = M::edges(&self.state)?;
+        Some(Edges { first: used(edges.first), last: used(edges.last) })
     }
 
     fn digest(&self) -> u64 {

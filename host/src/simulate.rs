@@ -138,6 +138,7 @@ impl<'a> Simulation<'a> {
             ended,
             window: plan.flown_window(scene),
             planned: plan.trial,
+            edges: vehicle.navigator().edges(),
             skipped: plan.skipped(scene, &source, vehicle.navigator()),
             digest: format!("{:016x}", vehicle.digest()),
             last: log.last,

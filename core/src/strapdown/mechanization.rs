@@ -3,6 +3,7 @@
 use super::frame::{FARTHEST, Output};
 use super::plausible::Damaged;
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
+use super::navigator::Edges;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
@@ -68,6 +69,10 @@ pub trait Mechanization {
     fn frame(state: &Self::State) -> &Self::Frame;
     /// How many samples it has integrated.
     fn integrated(state: &Self::State) -> u64;
+    /// Samples that the blocks at the edges were fitted through; `None` where no fit is made.
+    fn edges(_: &Self::State) -> Option<Edges<Self::Real>> {
+        None
+    }
     /// The navigation that the state stands at.
     fn output(&self, state: &Self::State) -> Self::Output;
 }

@@ -3,6 +3,7 @@
 //! A window is H samples of history, the block of B samples that is integrated, and A samples of
 //! look-ahead, which delay the output. Wider windows follow faster motion; a straight line or a
 //! parabola over a long block is the cheapest for slow motion.
+#![doc = include_str!("WINDOWS.md")]
 
 use super::behind;
 use super::body::{BodyMotion, Sum, integrate};

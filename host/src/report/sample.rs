@@ -1,6 +1,6 @@
 //! Runs made up for the tests of the report: smooth errors of a plausible size.
 
-use crate::flight::{Extremes, Flight, Instant, Nine, Skipped, StageTimes};
+use crate::flight::{Edges, Extremes, Flight, Instant, Nine, Skipped, StageTimes, Used};
 use crate::scene::{
     Channel, GaussMarkov, Link, Navigator, Scene, SensorErrors, Trajectory, WindowShape,
 };
@@ -91,6 +91,10 @@ pub fn scaled(scale: f64) -> Flight {
         ended: None,
         window: Some(WindowShape { history: 2, block: 4, lookahead: 2 }),
         planned: None,
+        edges: Some(Edges {
+            first: Some(Used { gyro: 6, accelerometer: 14 }),
+            last: Some(Used { gyro: 5, accelerometer: 8 }),
+        }),
         skipped: vec![Skipped {
             what: "accelerometer white noise".to_owned(),
             why: "the scene has none".to_owned(),

@@ -1,7 +1,7 @@
 //! `summary.json`: a run in numbers, for programs.
 
 use super::{Nine, norm};
-use crate::flight::{Ended, Flight, LinkReport, Planned};
+use crate::flight::{Edges, Ended, Flight, LinkReport, Planned};
 use crate::high::Neglected;
 use crate::scene::WindowShape;
 use serde::Serialize;
@@ -21,6 +21,7 @@ struct Summary<'a> {
     window: Option<WindowShape>,
     #[serde(skip_serializing_if = "Option::is_none")]
     planned: Option<Planned>,
+    edges: Option<Edges>,
     skipped: Vec<Skipped<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     gravity_neglected: Option<Neglected>,
@@ -99,6 +100,7 @@ impl<'a> Summary<'a> {
             algorithm: scene.navigator.algorithm.name(),
             window: flight.window,
             planned: flight.planned,
+            edges: flight.edges,
             skipped: flight
                 .skipped
                 .iter()
@@ -151,7 +153,8 @@ mod tests {
     fn has_every_key() {
         let tree: Value = serde_json::from_str(&json(&sample::flight())).unwrap();
         let plain = "scene samples duration_s rate_hz seed precision frame algorithm window.history \
-                     window.block window.lookahead skipped saturated lost digest \
+                     window.block window.lookahead edges.first.gyro edges.first.accelerometer \
+                     edges.last.gyro edges.last.accelerometer skipped saturated lost digest \
                      time.trajectory_ns_per_sample time.emulate_ns_per_sample time.navigate_ns_per_sample";
         let components = "north_m east_m down_m position_m velocity_m_s attitude_arcsec";
         let mut keys: Vec<String> = plain.split_whitespace().map(str::to_owned).collect();

@@ -2,7 +2,7 @@
 
 use super::number::{Quantity, Unit, rounded};
 use super::{largest, norm};
-use crate::flight::{Flight, Instant, Nine};
+use crate::flight::{Flight, Instant, Nine, Used};
 
 /// How many rows the table has.
 const ROWS: usize = 12;
@@ -107,8 +107,23 @@ pub fn table(flight: &Flight) -> String {
     lines.push(String::new());
     lines.extend(super::ended(flight));
     lines.extend(verdict(flight));
+    lines.extend(edges(flight));
     lines.extend(unit_note(&columns));
     lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// How long the windows were that stand at an edge, if any did.
+fn edges(flight: &Flight) -> Option<String> {
+    let part = |name: &str, used: Option<Used>| {
+        let Used { gyro, accelerometer } = used?;
+        Some(format!(
+            "{gyro} of the gyros and {accelerometer} of the accelerometers in the {name} block"
+        ))
+    };
+    let edges = flight.edges?;
+    let parts: Vec<_> =
+        [part("first", edges.first), part("last", edges.last)].into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| format!("Samples fitted: {}.", parts.join(", ")))
 }
 
 /// What the attitude's unit means where it is not the usual one.

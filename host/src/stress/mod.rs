@@ -15,6 +15,7 @@
 //! | `stochastic` | a scalar that rounds at random |
 //! | `rounding` | how many digits that leaves trustworthy |
 //! | `aged` | states stored late, sums of many terms |
+//! | `unresolved` | motion that the sampling does not resolve, noise, coarse steps |
 //! | `split_mix` | random words |
 
 mod aged;
@@ -31,6 +32,7 @@ mod rounding;
 mod split_mix;
 pub mod stochastic;
 mod time;
+mod unresolved;
 
 use crate::cli::StressArgs;
 use crate::input::{Complaint, InputError};
@@ -41,8 +43,15 @@ use case::{Case, Check, number};
 
 /// Every case, the long ones among them.
 pub fn cases() -> Vec<Case> {
-    let groups =
-        [time::cases, motion::cases, place::cases, numbers::cases, rounding::cases, aged::cases];
+    let groups = [
+        time::cases,
+        motion::cases,
+        unresolved::cases,
+        place::cases,
+        numbers::cases,
+        rounding::cases,
+        aged::cases,
+    ];
     groups.into_iter().flat_map(|cases| cases()).collect()
 }
 

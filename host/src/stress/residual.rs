@@ -22,7 +22,7 @@ pub struct Shape {
 }
 
 /// The series of a stream's first and last blocks is longer than any window's own.
-const EDGE_TERMS: usize = 15;
+const EDGE_TERMS: usize = 26;
 
 impl Shape {
     /// Of a named window.
@@ -164,13 +164,19 @@ pub fn coning_within(shape: Shape, beta: f64) -> f64 {
 pub fn third_order(shape: Shape, beta: f64) -> f64 {
     let both = [[2.0 * beta, beta], [-2.0 * beta, beta], [beta, 2.0 * beta], [beta, -2.0 * beta]];
     let mixed: f64 = both.iter().map(|&pair| size(product(shape, pair, 1.0))).sum();
-    // ∫t(P′ − F′) dt = −∫(P − F) dt,  ∫(e^{iβt} − 1) dt = (sin βt + i(1 − cos βt))/β − t
+    // ∫t(P′ − F′) dt = −∫(P − F) dt
+    mixed / 8.0 + 0.5 * beta * first_order(shape, beta)
+}
+
+/// What a block leaves of the integral of an angle, in samples, for an amplitude of 1: to first order the
+/// ends of a block are exact and what is between them is not.
+pub fn first_order(shape: Shape, beta: f64) -> f64 {
+    // ∫(e^{iβt} − 1) dt = (sin βt + i(1 − cos βt))/β − t
     let time = shape.block as f64;
     let [cosine, sine] = turn(beta * time);
     let exact = [sine / beta - time, (1.0 - cosine) / beta];
     let rise = times(Interpolation::new(shape, beta).mean_rise(), 0.5 * time);
-    let straight = 0.5 * beta * size(less(rise, exact));
-    mixed / 8.0 + straight
+    size(less(rise, exact))
 }
 
 /// Mean velocity error of sculling over a block at most, for an angle of amplitude 1 rad and a velocity of

@@ -13,11 +13,13 @@ macro_rules! every_window {
 mod accuracy;
 mod body;
 mod coning;
+mod edges;
 mod fit;
 mod gravitation;
 mod record;
 mod rejects;
 mod restored;
+mod responses;
 mod starts;
 mod steps;
 mod stream;

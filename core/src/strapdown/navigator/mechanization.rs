@@ -5,7 +5,7 @@ use super::super::frame::Frame;
 use super::super::mechanization::{Mechanization, Rejected, StartError, admit_held};
 use super::super::plausible::Damaged;
 use super::super::window::Window;
-use super::{State, Strapdown};
+use super::{Edges, State, Strapdown};
 use crate::sample::Increment;
 use crate::solution::Solution;
 
@@ -71,6 +71,9 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
     }
     fn integrated(state: &State<F, W>) -> u64 {
         state.integrated
+    }
+    fn edges(state: &State<F, W>) -> Option<Edges<F::Real>> {
+        Some(state.edges)
     }
     fn output(&self, state: &State<F, W>) -> F::Output {
         state.output()

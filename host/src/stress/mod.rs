@@ -15,12 +15,14 @@
 //! | `stochastic` | a scalar that rounds at random |
 //! | `rounding` | how many digits that leaves trustworthy |
 //! | `aged` | states stored late, sums of many terms |
+//! | `fuzz` | random scenes: the plan against every window |
 //! | `split_mix` | random words |
 
 mod aged;
 pub mod case;
 pub mod floor;
 mod flown;
+pub mod fuzz;
 mod link;
 mod motion;
 mod numbers;
@@ -41,8 +43,15 @@ use case::{Case, Check, number};
 
 /// Every case, the long ones among them.
 pub fn cases() -> Vec<Case> {
-    let groups =
-        [time::cases, motion::cases, place::cases, numbers::cases, rounding::cases, aged::cases];
+    let groups = [
+        time::cases,
+        motion::cases,
+        place::cases,
+        numbers::cases,
+        rounding::cases,
+        aged::cases,
+        fuzz::cases,
+    ];
     groups.into_iter().flat_map(|cases| cases()).collect()
 }
 

@@ -228,6 +228,7 @@ fn every_refusal_says_what_it_is() {
         "pole",
         "ellipsoid",
         "hold",
+        "turns",
         "subnormal",
     ];
     for (i, (text, word)) in texts.iter().zip(words).enumerate() {

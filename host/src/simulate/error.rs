@@ -125,7 +125,7 @@ impl From<Unavailable> for FlightError {
 
 /// The window with the longest block that samples of an angle may fill, rad, and which is shorter.
 fn shorter(angle: f64, block: usize) -> Option<(&'static str, usize)> {
-    let windows = [("2,4,2", 4), ("0,3,0", 3), ("2,2,2", 2)];
+    let windows = [("2,4,2", 4), ("2,2,2", 2)];
     windows.into_iter().find(|&(_, b)| b < block && b as f64 * angle <= MOST_TURN)
 }
 

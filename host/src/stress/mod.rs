@@ -16,12 +16,14 @@
 //! | `rounding` | how many digits that leaves trustworthy |
 //! | `aged` | states stored late, sums of many terms |
 //! | `unresolved` | motion that the sampling does not resolve, noise, coarse steps |
+//! | `fuzz` | random scenes: the plan against every window |
 //! | `split_mix` | random words |
 
 mod aged;
 pub mod case;
 pub mod floor;
 mod flown;
+pub mod fuzz;
 mod link;
 mod motion;
 mod numbers;
@@ -51,6 +53,7 @@ pub fn cases() -> Vec<Case> {
         numbers::cases,
         rounding::cases,
         aged::cases,
+        fuzz::cases,
     ];
     groups.into_iter().flat_map(|cases| cases()).collect()
 }

@@ -213,6 +213,7 @@ fn every_refusal_says_what_it_is() {
         StartError::Pole.to_string(),
         Rejected::Place.to_string(),
         Rejected::Held.to_string(),
+        Rejected::Turn.to_string(),
         StartError::FlushToZero.to_string(),
     ];
     let words = [
@@ -227,6 +228,7 @@ fn every_refusal_says_what_it_is() {
         "pole",
         "ellipsoid",
         "hold",
+        "turns",
         "subnormal",
     ];
     for (i, (text, word)) in texts.iter().zip(words).enumerate() {

@@ -86,8 +86,8 @@ pub struct Series<R: Real, const N: usize> {
 /// Products of orders up to this one are written out for every window.
 const LOW_ORDER: usize = 3;
 /// Coefficients of the fit and terms of the series in the windows of fast motion, whose series is written
-/// out to the two orders that are planned, where that does not matter to the size of the code.
-const FAST_MOTION: (usize, usize) = (8, 11);
+/// out to the order of the fit, where that does not matter to the size of the code.
+const FAST_MOTION: (usize, usize) = (8, 23);
 
 /// A loop over these numbers, written out: what it indexes need not be in memory.
 macro_rules! written_out {
@@ -110,10 +110,8 @@ impl<R: Real, const N: usize> Series<R, N> {
         // Apart, so that no order takes the others' into memory.
         if order <= LOW_ORDER {
             Self::of_low_order(fit)
-        } else if written_out && order >= N - 1 {
-            Self::of_fast_motion::<K, true>(fit)
         } else if written_out && order == K + 1 {
-            Self::of_fast_motion::<K, false>(fit)
+            Self::of_fast_motion(fit)
         } else {
             Self::of_order(fit, order)
         }
@@ -134,13 +132,13 @@ impl<R: Real, const N: usize> Series<R, N> {
         series
     }
 
-    /// To the last order that there are terms for, or to that of the fit.
+    /// To the order of the fit.
     #[inline(always)]
-    fn of_fast_motion<const K: usize, const LONGEST: bool>(fit: &Fit<R, K>) -> Self {
+    fn of_fast_motion<const K: usize>(fit: &Fit<R, K>) -> Self {
         let rate = fit.rate.map(|w| w.map(R::Twin::both));
-        let order = if LONGEST { N - 1 } else { K + 1 };
+        let order = K + 1;
         let mut series = Self::begun();
-        written_out!(n in [0 1 2 3 4 5 6 7 8 9] if n < order => series.advance(n, n, fit, &rate));
+        written_out!(n in [0 1 2 3 4 5 6 7 8] if n < order => series.advance(n, n, fit, &rate));
         written_out!(n in [4 3 2 1 0] if n < order.div_ceil(2) => series.sum_two(n));
         series.last = order;
         series

@@ -164,7 +164,9 @@ impl<'a, R: Real> Spaced<'a, R> {
     /// is not resolved there, and its samples would throw the fit off as noise does.
     fn drop_unsupported(self, newton: &mut [([R::Twin; 3], R)]) {
         // The n-th term's share of the rate, cₙ d/dσ Π(σ − xᵢ), is cₙ Π_{i≠m}(xₘ − xᵢ) at its edge xₘ.
-        let mut before = [(R::ZERO, R::ZERO); 2];
+        // The first share is what the mean rate left of the first sample: it measures nothing.
+        let unknown = (R::of(1e30), R::of(1e30));
+        let mut before = [unknown; 2];
         let mut dropped = (false, false);
         for n in 1..=newton.len() {
             let (nodes, _) = newton.split_at(n);
@@ -184,7 +186,7 @@ impl<'a, R: Real> Spaced<'a, R> {
                 dropped.0 |= R::any(last.0.less(share.0)) & R::any(last_but_one.0.less(share.0));
                 dropped.1 |= R::any(last.1.less(share.1)) & R::any(last_but_one.1.less(share.1));
             }
-            before = [share, before[0]];
+            before = [if n > 1 { share } else { unknown }, before[0]];
             if let Some((c, _)) = newton.get_mut(n - 1) {
                 let angle_b = if dropped.0 { Vector::ZERO } else { angle_b };
                 let velocity_b = if dropped.1 { Vector::ZERO } else { velocity_b };

@@ -70,7 +70,10 @@ pub(super) fn row(
                 }
                 let what = format!("\"{}\" is not a finite number", String::from_utf8_lossy(field));
                 let complaint = Complaint::new(what, "a finite number");
-                return Err(Unread { stamp, error: InputError::key(name, line, column, complaint) });
+                return Err(Unread {
+                    stamp,
+                    error: InputError::key(name, line, column, complaint),
+                });
             }
         }
         stamp = stamp.or(Some(*value));

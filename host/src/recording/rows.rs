@@ -81,8 +81,7 @@ impl Recording {
             return Err(InputError::file(name, Complaint::new("is empty", csv::accepted())));
         }
         let columns = csv::columns(name, lines.number, lines.text())?;
-        let kind =
-            if *columns == csv::RATES { Kind::Rates } else { Kind::Increments };
+        let kind = if *columns == csv::RATES { Kind::Rates } else { Kind::Increments };
         Ok(Self {
             name: name.to_owned(),
             kind,

@@ -1,12 +1,12 @@
 //! A recording looked through once: its clock, its length, what is missing, what its samples support.
 
+use super::Kind;
 use super::clock::{Clock, Judge};
 use super::habits::{COARSE, Habits};
 use super::measure::{Measure, Motion};
 use super::periods::PERIODS;
 use super::rows::Recording;
 use super::timeline::{Mends, Timeline};
-use super::Kind;
 use crate::input::{Complaint, InputError};
 use schuler::sample::Increment;
 use schuler::strapdown::plan::Shape;
@@ -125,7 +125,9 @@ impl Survey {
         }
         let Mends { copies, first_copy, stuck, first_stuck, .. } = self.mends;
         if copies > 0 {
-            lines.push(format!("{name}:{first_copy}: rows that are there twice, left out: {copies}"));
+            lines.push(format!(
+                "{name}:{first_copy}: rows that are there twice, left out: {copies}"
+            ));
         }
         if stuck > 0 {
             lines.push(format!(
@@ -205,7 +207,9 @@ impl Survey {
             }
             Motion::Noise => "what moves looks like noise".to_owned(),
             Motion::Unresolved(samples) => {
-                format!("the fastest motion has {samples:.1} samples per cycle, too few to resolve it")
+                format!(
+                    "the fastest motion has {samples:.1} samples per cycle, too few to resolve it"
+                )
             }
         }
     }

@@ -1,9 +1,9 @@
 //! Rows in the order of time: stamps in seconds that go on where a counter came round, rows that were
 //! written twice left out, and for each how many are missing before it.
 
+use super::Row;
 use super::habits::Habits;
 use super::periods::{PERIODS, come_round};
-use super::Row;
 use super::rows::{Recording, Rows, Unread};
 use crate::input::{Complaint, InputError};
 use schuler::sample::Increment;
@@ -193,8 +193,10 @@ impl Timeline {
     /// Decides about rows at the head of the queue with the stamp of the row before: copies are left out
     /// (false); rows that were given a place of their own stay (true).
     fn settle(&mut self, time_s: f64) -> Result<bool, InputError> {
-        let alike = |queue: &VecDeque<Timed>| queue.iter().take_while(|row| row.time_s <= time_s).count();
-        while !self.ended && alike(&self.queue) == self.queue.len() && self.queue.len() < MOST_ALIKE {
+        let alike =
+            |queue: &VecDeque<Timed>| queue.iter().take_while(|row| row.time_s <= time_s).count();
+        while !self.ended && alike(&self.queue) == self.queue.len() && self.queue.len() < MOST_ALIKE
+        {
             self.pull()?;
         }
         let count = alike(&self.queue);
@@ -256,7 +258,8 @@ impl Timeline {
                 let before = (before_s - self.offset_s) / self.habits.unit_s;
                 let before = (before * 1e12).round() / 1e12;
                 let what = format!("{} is not after {before}, the row before", row.stamp);
-                let accepted = "times that increase, or start over as a week, a day or a counter does";
+                let accepted =
+                    "times that increase, or start over as a week, a day or a counter does";
                 let complaint = Complaint::new(what, accepted);
                 let error = InputError::key(&self.name, row.line, "time_s", complaint);
                 self.lay_aside(Unread { stamp: None, error });

@@ -35,8 +35,7 @@ fn flown(imu: &str, initial: &str, more: &[&str]) -> Result<Vec<Vec<f64>>, Strin
     fs::write(at("imu.csv"), imu).expect("the disk has room");
     fs::write(at("initial.toml"), initial).expect("the disk has room");
     let (imu, initial, out) = (at("imu.csv"), at("initial.toml"), at("nav.csv"));
-    let line =
-        ["replay", "--imu", text(&imu), "--initial", text(&initial), "--out", text(&out)];
+    let line = ["replay", "--imu", text(&imu), "--initial", text(&initial), "--out", text(&out)];
     run(&[&line[..], more].concat())?;
     Ok(rows(&out))
 }
@@ -117,7 +116,9 @@ fn a_line_that_cannot_be_read_matters_where_it_is_flown() {
         lines.join("\n")
     };
     let broken = lines[60].replacen(",0,", ",x,", 1);
-    for (bad, line) in [(with(61, "x,1,2"), 61), (with(61, &broken), 61), (with(61, "-1,0,0,0,0,0,0"), 61)] {
+    for (bad, line) in
+        [(with(61, "x,1,2"), 61), (with(61, &broken), 61), (with(61, "-1,0,0,0,0,0,0"), 61)]
+    {
         let message = flown(&bad, INITIAL, &[]).expect_err("it is flown");
         assert!(message.contains(&format!("imu.csv:{line}: ")), "{message}");
         let until = ["--until", "0.59"];
@@ -125,7 +126,9 @@ fn a_line_that_cannot_be_read_matters_where_it_is_flown() {
         assert_eq!(nav.len(), 59);
     }
     let last = with(101, "x,1,2,3,4,5,6");
-    assert!(flown(&last, INITIAL, &[]).expect_err("it is flown").contains("imu.csv:101: time_s: \"x\""));
+    assert!(
+        flown(&last, INITIAL, &[]).expect_err("it is flown").contains("imu.csv:101: time_s: \"x\"")
+    );
     assert_eq!(flown(&last, INITIAL, &["--until", "0.99"]).expect("it is not").len(), 99);
 }
 
@@ -135,7 +138,10 @@ fn a_gap_is_refused_with_its_line_or_bridged() {
     times.drain(50..53);
     let imu = at_rest(0.0, &times, |t| format!("{t:.2}"));
     let message = flown(&imu, INITIAL, &[]).expect_err("samples are missing");
-    assert!(message.contains("imu.csv:52: 3 samples are missing before this one, 0.030000 s"), "{message}");
+    assert!(
+        message.contains("imu.csv:52: 3 samples are missing before this one, 0.030000 s"),
+        "{message}"
+    );
     assert!(message.contains("--gap bridge"), "{message}");
     let nav = flown(&imu, INITIAL, &["--gap", "bridge"]).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(nav.len(), 100);

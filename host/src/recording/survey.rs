@@ -143,7 +143,8 @@ impl Survey {
 
 /// To the nanosecond, for people.
 fn rounded(time_s: f64) -> f64 {
-    (time_s * 1e9).round() / 1e9
+    // Zero has no sign for people.
+    (time_s * 1e9).round() / 1e9 + 0.0
 }
 
 impl Reading {

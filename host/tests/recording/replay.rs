@@ -166,3 +166,25 @@ fn every_so_many_rows_or_seconds() {
         assert!(message.contains("a number of rows, such as 10, or of seconds"), "{message}");
     }
 }
+
+#[test]
+fn motion_that_is_not_resolved_does_not_throw_a_replay() {
+    // A cone of 0.1° at 2.5 samples per cycle: a textbook is 0.075 m off after a minute.
+    let folder = scratch();
+    let at = |name: &str| folder.path().join(name);
+    let scene = "title = \"cone\"\nduration_s = 60\nrate_hz = 100\n[trajectory]\n\
+        roll_deg = { harmonics = [{ amplitude = 0.1, period_s = 0.025 }] }\n\
+        pitch_deg = { harmonics = [{ amplitude = 0.1, period_s = 0.025, phase_deg = 90 }] }\n\
+        latitude_deg = 45\n";
+    fs::write(at("cone.toml"), scene).expect("the disk has room");
+    let (cone, out) = (at("cone.toml"), at("imu.csv"));
+    run(&["emulate", text(&cone), "--perfect", "--out", text(&out)]).expect("it is a scene");
+    let initial = "time_s = 0\nlatitude_deg = 45\nlongitude_deg = 0\naltitude_m = 0\n\
+        north_m_s = 0\neast_m_s = 0\ndown_m_s = 0\nroll_deg = 0.1\npitch_deg = 0\nyaw_deg = 0\n";
+    let imu = fs::read_to_string(&out).expect("it is there");
+    for frame in ["local-level", "earth-fixed"] {
+        let nav = flown(&imu, initial, &["--frame", frame]).unwrap_or_else(|e| panic!("{e}"));
+        let off = apart(nav.last().expect("rows"), &[0.0, 45.0, 0.0, 0.0]);
+        assert!(off < 0.08, "{off} m");
+    }
+}

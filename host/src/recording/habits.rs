@@ -51,7 +51,7 @@ impl Habits {
                 None => break,
                 Some(Ok(row)) => row,
                 Some(Err(line)) => {
-                    unread.get_or_insert(line.error);
+                    unread.get_or_insert(*line.error);
                     continue;
                 }
             };

@@ -127,7 +127,7 @@ impl Settings {
         }
         let counts = numbers(name, line, text, &SAMPLE);
         let [tx, ty, tz, vx, vy, vz] =
-            counts.map_err(|error| Unread { stamp: Some(time_s), error })?;
+            counts.map_err(|error| Unread { stamp: Some(time_s), error: Box::new(error) })?;
         let ([gx, gy, gz], [ax, ay, az]) = (self.angle, self.velocity);
         let increment = Increment {
             angle_b: forward_right_down([tx * gx, ty * gy, tz * gz]) * ARCSECOND,

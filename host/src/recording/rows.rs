@@ -124,7 +124,7 @@ pub struct Unread {
     /// Its time stamp, where that can be read.
     pub stamp: Option<f64>,
     /// What is wrong.
-    pub error: InputError,
+    pub error: Box<InputError>,
 }
 
 impl Rows {

@@ -69,7 +69,7 @@ impl Samples {
     }
 
     /// The next sample, or the end.
-    pub fn next(&mut self) -> Result<Option<Sample>, InputError> {
+    pub fn advance(&mut self) -> Result<Option<Sample>, InputError> {
         loop {
             if let Some(sample) = self.ready.pop_front() {
                 return Ok(Some(sample));
@@ -80,7 +80,7 @@ impl Samples {
             if self.ended {
                 return Ok(None);
             }
-            match self.timeline.next()? {
+            match self.timeline.advance()? {
                 Some(row) => self.take(row),
                 None => {
                     self.ended = true;

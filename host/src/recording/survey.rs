@@ -158,7 +158,7 @@ impl Reading {
         let mut measures = [Measure::default(), Measure::default()];
         let (mut rows, mut first_s) = (0, 0.0);
         let mut before_s = None;
-        while let Some(row) = timeline.next()? {
+        while let Some(row) = timeline.advance()? {
             judge.add(&row, before_s);
             let inside = row.time_s > from_s && row.time_s <= until_s;
             if !row.whole || !inside || row.missing > 0 {

@@ -113,7 +113,7 @@ impl Timeline {
     }
 
     /// The next row, or the end.
-    pub fn next(&mut self) -> Result<Option<Timed>, InputError> {
+    pub fn advance(&mut self) -> Result<Option<Timed>, InputError> {
         loop {
             while !self.ended && self.queue.len() < AHEAD {
                 self.pull()?;
@@ -262,7 +262,7 @@ impl Timeline {
                     "times that increase, or start over as a week, a day or a counter does";
                 let complaint = Complaint::new(what, accepted);
                 let error = InputError::key(&self.name, row.line, "time_s", complaint);
-                self.lay_aside(Unread { stamp: None, error });
+                self.lay_aside(Unread { stamp: None, error: Box::new(error) });
                 return Ok(());
             };
             if self.mends.rounds.len() < 100 {
@@ -294,6 +294,6 @@ impl Timeline {
         let own_s = own_s.filter(|&own_s| self.pulled_s.is_none_or(|before_s| own_s >= before_s));
         // The first and the last of a row of them say where it lies.
         self.unread.truncate(1);
-        self.unread.push(Misfit { time_s: own_s.unwrap_or(next_s), error: unread.error });
+        self.unread.push(Misfit { time_s: own_s.unwrap_or(next_s), error: *unread.error });
     }
 }

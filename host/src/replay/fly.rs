@@ -84,7 +84,7 @@ pub fn fly(
     let mut begun = false;
     let progress = Progress::new(survey.rows);
     let mut count = 0;
-    while let Some(sample) = samples.next()? {
+    while let Some(sample) = samples.advance()? {
         pass_over(&sample.unread, spans, &mut outside)?;
         count += 1;
         match spans.place(sample.end_s) {

@@ -34,7 +34,7 @@ fn read(
     let survey = Survey::of(&recording, rate_hz.map(|rate_hz| 1.0 / rate_hz), WHOLE)?;
     let mut samples = Samples::new(&recording, &survey, origin_s)?;
     let mut list = Vec::new();
-    while let Some(sample) = samples.next()? {
+    while let Some(sample) = samples.advance()? {
         list.push(sample);
     }
     Ok((survey, list, recording))

@@ -16,8 +16,8 @@ fn counters_that_come_round_go_on() {
     for (from_s, period_s, unit_s, name) in [
         (604_795.0, 604_800.0, 1.0, "a GPS week"),
         (86_395.0, 86_400.0, 1.0, "a day"),
-        (4290.0, 4294.967_296, 1.0, "a 32-bit counter of microseconds"),
-        (4290.0, 4294.967_296, 1e-6, "a 32-bit counter of microseconds"),
+        (4290.0, 4_294.967_296, 1.0, "a 32-bit counter of microseconds"),
+        (4290.0, 4_294.967_296, 1e-6, "a 32-bit counter of microseconds"),
         (4_294_960.0, 4_294_967.296, 1e-3, "a 32-bit counter of milliseconds"),
         (60.0, 65.536, 1e-3, "a 16-bit counter of milliseconds"),
     ] {
@@ -36,7 +36,7 @@ fn counters_that_come_round_go_on() {
 #[test]
 fn a_counter_with_a_sign_comes_round_too() {
     let text = at_rest(2140.0, &even(2140.0, 100.0, 1000), |t| {
-        let stamp = if t >= 2147.483_648 { t - 4294.967_296 } else { t };
+        let stamp = if t >= 2_147.483_648 { t - 4_294.967_296 } else { t };
         format!("{stamp:.6}")
     });
     let (survey, samples) = good(&text, Some(2140.0));
@@ -55,7 +55,7 @@ fn a_clock_that_was_set_back_is_refused_with_its_line() {
     let survey = survey.unwrap_or_else(|e| panic!("{e}"));
     let mut samples =
         schuler_host::recording::samples::Samples::new(&recording, &survey, None).expect("again");
-    while samples.next().expect("the same").is_some() {}
+    while samples.advance().expect("the same").is_some() {}
     let message = samples.trailing()[0].error.to_string();
     assert!(message.starts_with("imu.csv:52: time_s: 0.01 is not after 0.5"), "{message}");
 }

@@ -179,7 +179,8 @@ fn an_emulated_stream_is_replayed_to_where_it_went() {
     expect(folder.path(), &replay("gap.csv", &["--align", "1"]), 1, &words);
     let bridged = schuler(folder.path(), &replay("gap.csv", &["--align", "1", "--gap", "bridge"]));
     let said = String::from_utf8(bridged.stdout).unwrap();
-    assert!(said.starts_with("aligned on 97 samples, 3 missing: roll "), "{said}");
+    assert!(said.contains("\naligned on 97 samples, 3 missing: roll "), "{said}");
+    assert!(said.starts_with("samples: 100.0000 Hz by least squares over 5997 stamps\n"), "{said}");
     expect(folder.path(), &replay("gap.csv", &["--gap", "bridge"]), 0, &[]);
     assert_eq!(fs::read_to_string(at("gap.csv")).unwrap().lines().count(), 6001);
 }

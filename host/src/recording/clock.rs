@@ -162,7 +162,10 @@ impl Judge {
                 let what = format!(
                     "several samples share a stamp, and {count} stamps are not those of one rate"
                 );
-                return Err(InputError::file(name, Complaint::new(what, "--rate HZ, which states it")));
+                return Err(InputError::file(
+                    name,
+                    Complaint::new(what, "--rate HZ, which states it"),
+                ));
             }
             let said = format!(
                 "intervals are the steps of {count} stamps: {:.4} Hz in the mean, {slow:.4} to {fast:.4} Hz",
@@ -172,17 +175,16 @@ impl Judge {
         };
         let interval_s = within(squares_s, low_s, high_s);
         let first_s = self.origin_s + strip.offset(interval_s);
-        let coarse = habits.coarse || quantum_s > 0.5 * interval_s && strip.excess(interval_s) > 0.1 * interval_s;
+        let coarse = habits.coarse
+            || quantum_s > 0.5 * interval_s && strip.excess(interval_s) > 0.1 * interval_s;
         let width_s = self.strip.excess(interval_s);
         let rounded = if width_s > 1e-6 * interval_s && width_s > 1e-9 {
             format!(", rounded to {}", span(quantum_s))
         } else {
             String::new()
         };
-        let said = format!(
-            "{:.4} Hz by least squares over {count} stamps{rounded}",
-            1.0 / interval_s
-        );
+        let said =
+            format!("{:.4} Hz by least squares over {count} stamps{rounded}", 1.0 / interval_s);
         Ok((Clock::Even { interval_s, first_s, coarse }, said))
     }
 }
@@ -190,7 +192,9 @@ impl Judge {
 /// The interval by least squares if it is one that the stamps' rounding allows, else the middle of those; a
 /// whole rate or a whole number of microseconds if that is allowed.
 fn within(squares_s: f64, low_s: f64, high_s: f64) -> f64 {
-    let allowed = |s: f64| s >= low_s * (1.0 - 4.0 * f64::EPSILON) && s <= high_s * (1.0 + 4.0 * f64::EPSILON);
+    let allowed = |s: f64| {
+        s >= low_s * (1.0 - 4.0 * f64::EPSILON) && s <= high_s * (1.0 + 4.0 * f64::EPSILON)
+    };
     let interval_s = if allowed(squares_s) { squares_s } else { 0.5 * (low_s + high_s) };
     let whole_s = 1.0 / (1.0 / interval_s).round();
     let micro_s = (interval_s * 1e6).round() / 1e6;

@@ -66,18 +66,24 @@ pub(super) fn row(
             _ => {
                 let count = fields(text).count();
                 if count != columns.len() {
-                    return Err(Unread { stamp, error: miscounted(name, line, columns, count) });
+                    return Err(Unread {
+                        stamp,
+                        error: Box::new(miscounted(name, line, columns, count)),
+                    });
                 }
                 let what = format!("\"{}\" is not a finite number", String::from_utf8_lossy(field));
                 let complaint = Complaint::new(what, "a finite number");
-                return Err(Unread { stamp, error: InputError::key(name, line, column, complaint) });
+                return Err(Unread {
+                    stamp,
+                    error: Box::new(InputError::key(name, line, column, complaint)),
+                });
             }
         }
         stamp = stamp.or(Some(*value));
         found += 1;
     }
     if found < wanted || (whole && text.iter().filter(|&&b| b == b',').count() != 6) {
-        let error = miscounted(name, line, columns, fields(text).count());
+        let error = Box::new(miscounted(name, line, columns, fields(text).count()));
         return Err(Unread { stamp, error });
     }
     let [time, x, y, z, u, v, w] = values;

@@ -1,7 +1,7 @@
 //! What the first rows of a recording say about all of them: the unit of the stamps, the usual step.
 
-use super::rows::Recording;
 use super::Kind;
+use super::rows::Recording;
 use crate::input::{Complaint, InputError};
 
 /// Rows that are looked at.
@@ -51,7 +51,7 @@ impl Habits {
                 None => break,
                 Some(Ok(row)) => row,
                 Some(Err(line)) => {
-                    unread.get_or_insert(line.error);
+                    unread.get_or_insert(*line.error);
                     continue;
                 }
             };
@@ -71,8 +71,10 @@ impl Habits {
                 0 | 1 => format!("has {count} samples"),
                 _ => "has stamps that stand still".to_owned(),
             };
-            let none =
-                InputError::file(&recording.name, Complaint::new(what, "two samples or more, at most 1 s each"));
+            let none = InputError::file(
+                &recording.name,
+                Complaint::new(what, "two samples or more, at most 1 s each"),
+            );
             return Err(unread.unwrap_or(none));
         }
         steps.sort_unstable_by(f64::total_cmp);
@@ -101,16 +103,13 @@ impl Habits {
 
 /// The unit of stamps with a usual step, and for increments their usual |Δv|, m/s: seconds, unless samples
 /// were then longer than any that is navigated. Another unit is taken only if no third one would do.
-fn unit(
-    name: &str,
-    step: f64,
-    increment: Option<f64>,
-) -> Result<(&'static str, f64), InputError> {
+fn unit(name: &str, step: f64, increment: Option<f64>) -> Result<(&'static str, f64), InputError> {
     // Standing or flying level, accelerometers feel about 10 m/s².
     let felt = |unit_s: f64| increment.map(|increment| increment / (step * unit_s));
     let like_gravity = |unit_s: f64| felt(unit_s).is_none_or(|f| (3.0..30.0).contains(&f));
     let rate_of_units = |unit_s: f64| (5.0..=20e3).contains(&(1.0 / (step * unit_s)));
-    let seconds_would_do = step <= LONGEST_S && !(step > 0.05 && felt(1.0).is_some_and(|f| f < 0.1));
+    let seconds_would_do =
+        step <= LONGEST_S && !(step > 0.05 && felt(1.0).is_some_and(|f| f < 0.1));
     let likely: Vec<_> = UNITS[1..]
         .iter()
         .filter(|(_, unit_s)| rate_of_units(*unit_s) && like_gravity(*unit_s))

@@ -112,8 +112,7 @@ impl Measure {
         let steps: Vec<_> = (2..=12).map_while(step).collect();
         let fell = steps.iter().rposition(|(fall, _)| *fall < FALLS);
         let powers: Vec<_> = (1..=12).map_while(|k| self.power(k)).collect();
-        let noise =
-            || powers.windows(2).all(|p| ((p[1] / p[0]).sqrt() - 1.0).abs() < LIKE_NOISE);
+        let noise = || powers.windows(2).all(|p| ((p[1] / p[0]).sqrt() - 1.0).abs() < LIKE_NOISE);
         match (fell, steps.last()) {
             (_, None) => Motion::None,
             (Some(k), _) => Motion::Resolved(cycle(steps[k].1)),

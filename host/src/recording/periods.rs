@@ -5,7 +5,7 @@ pub const PERIODS: [(&str, f64); 6] = [
     ("a GPS week", 604_800.0),
     ("a day", 86_400.0),
     ("a 32-bit counter of milliseconds", 4_294_967.296),
-    ("a 32-bit counter of microseconds", 4294.967_296),
+    ("a 32-bit counter of microseconds", 4_294.967_296),
     ("a 16-bit counter of milliseconds", 65.536),
     ("a 24-bit counter of microseconds", 16.777_216),
 ];

@@ -127,7 +127,7 @@ impl Settings {
         }
         let counts = numbers(name, line, text, &SAMPLE);
         let [tx, ty, tz, vx, vy, vz] =
-            counts.map_err(|error| Unread { stamp: Some(time_s), error })?;
+            counts.map_err(|error| Unread { stamp: Some(time_s), error: Box::new(error) })?;
         let ([gx, gy, gz], [ax, ay, az]) = (self.angle, self.velocity);
         let increment = Increment {
             angle_b: forward_right_down([tx * gx, ty * gy, tz * gz]) * ARCSECOND,
@@ -141,7 +141,12 @@ fn forward_right_down([right, forward, up]: [f64; 3]) -> Vector<f64> {
     Vector::new(forward, right, -up)
 }
 
-fn numbers(file: &str, number: u64, line: &[u8], columns: &Columns) -> Result<[f64; 6], InputError> {
+fn numbers(
+    file: &str,
+    number: u64,
+    line: &[u8],
+    columns: &Columns,
+) -> Result<[f64; 6], InputError> {
     let line = std::str::from_utf8(line)
         .map_err(|_| InputError::line(file, number, Complaint::new("is not text", "UTF-8")))?;
     let mut values = [0.0; 6];

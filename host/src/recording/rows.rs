@@ -81,8 +81,7 @@ impl Recording {
             return Err(InputError::file(name, Complaint::new("is empty", csv::accepted())));
         }
         let columns = csv::columns(name, lines.number, lines.text())?;
-        let kind =
-            if *columns == csv::RATES { Kind::Rates } else { Kind::Increments };
+        let kind = if *columns == csv::RATES { Kind::Rates } else { Kind::Increments };
         Ok(Self {
             name: name.to_owned(),
             kind,
@@ -125,7 +124,7 @@ pub struct Unread {
     /// Its time stamp, where that can be read.
     pub stamp: Option<f64>,
     /// What is wrong.
-    pub error: InputError,
+    pub error: Box<InputError>,
 }
 
 impl Rows {

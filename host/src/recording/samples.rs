@@ -69,7 +69,7 @@ impl Samples {
     }
 
     /// The next sample, or the end.
-    pub fn next(&mut self) -> Result<Option<Sample>, InputError> {
+    pub fn advance(&mut self) -> Result<Option<Sample>, InputError> {
         loop {
             if let Some(sample) = self.ready.pop_front() {
                 return Ok(Some(sample));
@@ -80,7 +80,7 @@ impl Samples {
             if self.ended {
                 return Ok(None);
             }
-            match self.timeline.next()? {
+            match self.timeline.advance()? {
                 Some(row) => self.take(row),
                 None => {
                     self.ended = true;
@@ -162,7 +162,8 @@ impl Samples {
             }
             (Clock::Stamps { interval_s }, None) => {
                 let next_s = self.timeline.coming_s().map(|next_s| next_s - row.time_s);
-                let usual_s = next_s.filter(|s| *s > 0.0 && *s < 1.5 * interval_s).unwrap_or(interval_s);
+                let usual_s =
+                    next_s.filter(|s| *s > 0.0 && *s < 1.5 * interval_s).unwrap_or(interval_s);
                 let own_s = self.origin_s.map(|origin_s| row.time_s - origin_s);
                 let plausible = |s: &f64| (0.5 * usual_s..=1.5 * usual_s).contains(s);
                 (n, row.time_s, own_s.filter(plausible).unwrap_or(usual_s))

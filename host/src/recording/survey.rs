@@ -1,12 +1,12 @@
 //! A recording looked through once: its clock, its length, what is missing, what its samples support.
 
+use super::Kind;
 use super::clock::{Clock, Judge};
 use super::habits::{COARSE, Habits};
 use super::measure::{Measure, Motion};
 use super::periods::PERIODS;
 use super::rows::Recording;
 use super::timeline::{Mends, Timeline};
-use super::Kind;
 use crate::input::{Complaint, InputError};
 use schuler::sample::Increment;
 use schuler::strapdown::plan::Shape;
@@ -125,7 +125,9 @@ impl Survey {
         }
         let Mends { copies, first_copy, stuck, first_stuck, .. } = self.mends;
         if copies > 0 {
-            lines.push(format!("{name}:{first_copy}: rows that are there twice, left out: {copies}"));
+            lines.push(format!(
+                "{name}:{first_copy}: rows that are there twice, left out: {copies}"
+            ));
         }
         if stuck > 0 {
             lines.push(format!(
@@ -141,7 +143,8 @@ impl Survey {
 
 /// To the nanosecond, for people.
 fn rounded(time_s: f64) -> f64 {
-    (time_s * 1e9).round() / 1e9
+    // Zero has no sign for people.
+    (time_s * 1e9).round() / 1e9 + 0.0
 }
 
 impl Reading {
@@ -155,7 +158,7 @@ impl Reading {
         let mut measures = [Measure::default(), Measure::default()];
         let (mut rows, mut first_s) = (0, 0.0);
         let mut before_s = None;
-        while let Some(row) = timeline.next()? {
+        while let Some(row) = timeline.advance()? {
             judge.add(&row, before_s);
             let inside = row.time_s > from_s && row.time_s <= until_s;
             if !row.whole || !inside || row.missing > 0 {
@@ -205,7 +208,9 @@ impl Survey {
             }
             Motion::Noise => "what moves looks like noise".to_owned(),
             Motion::Unresolved(samples) => {
-                format!("the fastest motion has {samples:.1} samples per cycle, too few to resolve it")
+                format!(
+                    "the fastest motion has {samples:.1} samples per cycle, too few to resolve it"
+                )
             }
         }
     }

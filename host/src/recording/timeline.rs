@@ -1,9 +1,9 @@
 //! Rows in the order of time: stamps in seconds that go on where a counter came round, rows that were
 //! written twice left out, and for each how many are missing before it.
 
+use super::Row;
 use super::habits::Habits;
 use super::periods::{PERIODS, come_round};
-use super::Row;
 use super::rows::{Recording, Rows, Unread};
 use crate::input::{Complaint, InputError};
 use schuler::sample::Increment;
@@ -113,7 +113,7 @@ impl Timeline {
     }
 
     /// The next row, or the end.
-    pub fn next(&mut self) -> Result<Option<Timed>, InputError> {
+    pub fn advance(&mut self) -> Result<Option<Timed>, InputError> {
         loop {
             while !self.ended && self.queue.len() < AHEAD {
                 self.pull()?;
@@ -193,8 +193,10 @@ impl Timeline {
     /// Decides about rows at the head of the queue with the stamp of the row before: copies are left out
     /// (false); rows that were given a place of their own stay (true).
     fn settle(&mut self, time_s: f64) -> Result<bool, InputError> {
-        let alike = |queue: &VecDeque<Timed>| queue.iter().take_while(|row| row.time_s <= time_s).count();
-        while !self.ended && alike(&self.queue) == self.queue.len() && self.queue.len() < MOST_ALIKE {
+        let alike =
+            |queue: &VecDeque<Timed>| queue.iter().take_while(|row| row.time_s <= time_s).count();
+        while !self.ended && alike(&self.queue) == self.queue.len() && self.queue.len() < MOST_ALIKE
+        {
             self.pull()?;
         }
         let count = alike(&self.queue);
@@ -256,10 +258,11 @@ impl Timeline {
                 let before = (before_s - self.offset_s) / self.habits.unit_s;
                 let before = (before * 1e12).round() / 1e12;
                 let what = format!("{} is not after {before}, the row before", row.stamp);
-                let accepted = "times that increase, or start over as a week, a day or a counter does";
+                let accepted =
+                    "times that increase, or start over as a week, a day or a counter does";
                 let complaint = Complaint::new(what, accepted);
                 let error = InputError::key(&self.name, row.line, "time_s", complaint);
-                self.lay_aside(Unread { stamp: None, error });
+                self.lay_aside(Unread { stamp: None, error: Box::new(error) });
                 return Ok(());
             };
             if self.mends.rounds.len() < 100 {
@@ -291,6 +294,6 @@ impl Timeline {
         let own_s = own_s.filter(|&own_s| self.pulled_s.is_none_or(|before_s| own_s >= before_s));
         // The first and the last of a row of them say where it lies.
         self.unread.truncate(1);
-        self.unread.push(Misfit { time_s: own_s.unwrap_or(next_s), error: unread.error });
+        self.unread.push(Misfit { time_s: own_s.unwrap_or(next_s), error: *unread.error });
     }
 }

@@ -109,11 +109,7 @@ impl Still {
     }
 
     /// The state at its end, at rest: attitude from the stretch, all else as it was given.
-    pub fn state(
-        &self,
-        file: &str,
-        initial: &NavigationRow,
-    ) -> Result<NavigationRow, InputError> {
+    pub fn state(&self, file: &str, initial: &NavigationRow) -> Result<NavigationRow, InputError> {
         let attitude = self.alignment.attitude().map_err(|error: AlignmentError| {
             InputError::file(file, Complaint::new(error.to_string(), ""))
         })?;

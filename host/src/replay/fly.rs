@@ -87,7 +87,7 @@ pub fn fly(
     let mut begun = false;
     let progress = Progress::new(survey.rows);
     let mut count = 0;
-    while let Some(sample) = samples.next()? {
+    while let Some(sample) = samples.advance()? {
         pass_over(&sample.unread, spans, &mut outside)?;
         count += 1;
         match spans.place(sample.end_s) {
@@ -113,7 +113,9 @@ pub fn fly(
                             say(&still.said(&start))?;
                         }
                         let at = (spans.navigate_s, start.solution());
-                        none.insert(Flying::new(recording, survey, spans, options, shape, at, args)?)
+                        none.insert(Flying::new(
+                            recording, survey, spans, options, shape, at, args,
+                        )?)
                     }
                 };
                 if sample.filled {
@@ -147,7 +149,8 @@ impl<'a> Flying<'a> {
             navigator::start(options, shape, order, interval, &start.1).map_err(unavailable)?;
         let interval_s = survey.clock.interval_s();
         let samples = (spans.until_s.min(survey.end_s) - start.0) / interval_s;
-        let kept = args.every.map_or(samples as u64, |every| every.kept(samples as u64, interval_s));
+        let kept =
+            args.every.map_or(samples as u64, |every| every.kept(samples as u64, interval_s));
         if let Some(warning) = large_table(&args.out, kept, COLUMNS.len()) {
             eprintln!("{warning}");
         }

@@ -10,14 +10,19 @@ pub fn text(flight: &Flight, spans: &Spans, at_rest: bool) -> String {
     let (time_s, solution) = &flight.last;
     let mut text = String::new();
     if let (count, Some(first)) = &flight.outside {
-        let more = if *count > 1 { format!(", and {} more like it", count - 1) } else { String::new() };
+        let more =
+            if *count > 1 { format!(", and {} more like it", count - 1) } else { String::new() };
         text += &format!("{first}: outside what was flown, passed over{more}\n");
     }
     let bridged = &flight.bridged;
     if bridged.samples > 0 {
         text += &format!(
             "bridged {} of {} s: {} samples that are missing, {:.6} s in all, filled along straight lines\n",
-            if bridged.gaps == 1 { "a gap".to_owned() } else { format!("{} gaps, the longest", bridged.gaps) },
+            if bridged.gaps == 1 {
+                "a gap".to_owned()
+            } else {
+                format!("{} gaps, the longest", bridged.gaps)
+            },
             (bridged.longest_s * 1e6).round() / 1e6,
             bridged.samples,
             bridged.time_s

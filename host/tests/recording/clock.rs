@@ -18,7 +18,9 @@ fn rounded_stamps_of_a_whole_rate_are_that_rate() {
         let times = even(0.0, rate_hz, 6000);
         let (survey, samples) = good(&at_rest(0.0, &times, |t| format!("{t:.3}")), Some(0.0));
         assert_eq!(interval_s(&survey.clock), 1.0 / rate_hz, "{}", survey.clock_said);
-        assert!(survey.clock_said.starts_with(&format!("{rate_hz:.4} Hz by least squares over 6000")));
+        assert!(
+            survey.clock_said.starts_with(&format!("{rate_hz:.4} Hz by least squares over 6000"))
+        );
         assert!(samples.iter().all(|sample| sample.interval_s == 1.0 / rate_hz && !sample.filled));
         assert!(fall(&samples) < 1e-9, "{rate_hz} Hz: {}", fall(&samples));
         // The first sample begins at 0, within what the stamps tell.
@@ -97,7 +99,9 @@ fn time_that_really_varies_is_taken_from_the_stamps() {
 
 #[test]
 fn ten_long_steps_after_ten_short_ones_are_no_rounding() {
-    let times: Vec<_> = (1..=20).map(|i| if i <= 10 { 0.01 * f64::from(i) } else { 0.011 * f64::from(i) - 0.01 }).collect();
+    let times: Vec<_> = (1..=20)
+        .map(|i| if i <= 10 { 0.01 * f64::from(i) } else { 0.011 * f64::from(i) - 0.01 })
+        .collect();
     let (survey, samples) = good(&at_rest(0.0, &times, |t| format!("{t:.3}")), Some(0.0));
     assert!(matches!(survey.clock, Clock::Stamps { .. }));
     near(samples[4].interval_s, 0.010, 1e-12);
@@ -122,7 +126,8 @@ fn a_stated_rate_is_taken_unless_the_stamps_deny_it() {
     let mut stamps = late.iter();
     let mut text = String::new();
     for line in at_rest(0.0, &times, |_| "0".to_owned()).lines() {
-        let row = line.strip_prefix("0,").map(|rest| format!("{},{rest}", stamps.next().expect("each")));
+        let row =
+            line.strip_prefix("0,").map(|rest| format!("{},{rest}", stamps.next().expect("each")));
         text += &(row.unwrap_or_else(|| line.to_owned()) + "\n");
     }
     let (survey, samples, _) = read("imu.csv", &text, Some(100.0), None).expect("it is right");

@@ -49,13 +49,13 @@ fn what_is_written_reads_back_bit_for_bit() {
     near(survey.start_s, 0.0, 1e-9);
     let mut samples = Samples::new(&recording, &survey, None).expect("it is there");
     for i in 1..=100 {
-        let sample = samples.next().expect("it is there").expect("one for each");
+        let sample = samples.advance().expect("it is there").expect("one for each");
         assert_eq!(sample.time_s, f64::from(i) / 30.0);
         assert_eq!(sample.line, u64::from(i) + 1);
         assert_eq!(sample.increment, increment(i));
         assert!(!sample.filled);
     }
-    assert_eq!(samples.next(), Ok(None));
+    assert_eq!(samples.advance(), Ok(None));
 }
 
 #[test]

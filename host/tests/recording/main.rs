@@ -34,7 +34,7 @@ fn read(
     let survey = Survey::of(&recording, rate_hz.map(|rate_hz| 1.0 / rate_hz), WHOLE)?;
     let mut samples = Samples::new(&recording, &survey, origin_s)?;
     let mut list = Vec::new();
-    while let Some(sample) = samples.next()? {
+    while let Some(sample) = samples.advance()? {
         list.push(sample);
     }
     Ok((survey, list, recording))
@@ -84,7 +84,8 @@ fn fall(samples: &[Sample]) -> f64 {
 fn scattered(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / 2f64.powi(53)
     }
 }

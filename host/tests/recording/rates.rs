@@ -67,7 +67,8 @@ fn a_missing_rate_lies_between_its_neighbours() {
     // One reading of 1 in zeros, at most two rows from a gap: its integral is 1 step, whatever is missing.
     for (reading, missing) in [(8, 6), (9, 6), (7, 6), (5, 6), (4, 6), (8, 10)] {
         let times = (1..=20).filter(|i| *i != missing).map(|i| f64::from(i) * 0.01);
-        let samples = record(times, |t| if (t - 0.01 * f64::from(reading)).abs() < 1e-9 { 1.0 } else { 0.0 });
+        let samples =
+            record(times, |t| if (t - 0.01 * f64::from(reading)).abs() < 1e-9 { 1.0 } else { 0.0 });
         assert_eq!(samples.len(), 20);
         assert_eq!(samples.iter().filter(|sample| sample.filled && sample.missing == 1).count(), 1);
         let sum: f64 = samples.iter().map(|sample| sample.increment.angle_b.x).sum();

@@ -35,8 +35,7 @@ fn flown(imu: &str, initial: &str, more: &[&str]) -> Result<Vec<Vec<f64>>, Strin
     fs::write(at("imu.csv"), imu).expect("the disk has room");
     fs::write(at("initial.toml"), initial).expect("the disk has room");
     let (imu, initial, out) = (at("imu.csv"), at("initial.toml"), at("nav.csv"));
-    let line =
-        ["replay", "--imu", text(&imu), "--initial", text(&initial), "--out", text(&out)];
+    let line = ["replay", "--imu", text(&imu), "--initial", text(&initial), "--out", text(&out)];
     run(&[&line[..], more].concat())?;
     Ok(rows(&out))
 }
@@ -117,7 +116,9 @@ fn a_line_that_cannot_be_read_matters_where_it_is_flown() {
         lines.join("\n")
     };
     let broken = lines[60].replacen(",0,", ",x,", 1);
-    for (bad, line) in [(with(61, "x,1,2"), 61), (with(61, &broken), 61), (with(61, "-1,0,0,0,0,0,0"), 61)] {
+    for (bad, line) in
+        [(with(61, "x,1,2"), 61), (with(61, &broken), 61), (with(61, "-1,0,0,0,0,0,0"), 61)]
+    {
         let message = flown(&bad, INITIAL, &[]).expect_err("it is flown");
         assert!(message.contains(&format!("imu.csv:{line}: ")), "{message}");
         let until = ["--until", "0.59"];
@@ -125,7 +126,9 @@ fn a_line_that_cannot_be_read_matters_where_it_is_flown() {
         assert_eq!(nav.len(), 59);
     }
     let last = with(101, "x,1,2,3,4,5,6");
-    assert!(flown(&last, INITIAL, &[]).expect_err("it is flown").contains("imu.csv:101: time_s: \"x\""));
+    assert!(
+        flown(&last, INITIAL, &[]).expect_err("it is flown").contains("imu.csv:101: time_s: \"x\"")
+    );
     assert_eq!(flown(&last, INITIAL, &["--until", "0.99"]).expect("it is not").len(), 99);
 }
 
@@ -135,7 +138,10 @@ fn a_gap_is_refused_with_its_line_or_bridged() {
     times.drain(50..53);
     let imu = at_rest(0.0, &times, |t| format!("{t:.2}"));
     let message = flown(&imu, INITIAL, &[]).expect_err("samples are missing");
-    assert!(message.contains("imu.csv:52: 3 samples are missing before this one, 0.030000 s"), "{message}");
+    assert!(
+        message.contains("imu.csv:52: 3 samples are missing before this one, 0.030000 s"),
+        "{message}"
+    );
     assert!(message.contains("--gap bridge"), "{message}");
     let nav = flown(&imu, INITIAL, &["--gap", "bridge"]).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(nav.len(), 100);
@@ -158,5 +164,27 @@ fn every_so_many_rows_or_seconds() {
         let every = format!("--every={wrong}");
         let message = flown(&imu, INITIAL, &[&every]).expect_err(wrong);
         assert!(message.contains("a number of rows, such as 10, or of seconds"), "{message}");
+    }
+}
+
+#[test]
+fn motion_that_is_not_resolved_does_not_throw_a_replay() {
+    // A cone of 0.1° at 2.5 samples per cycle: a textbook is 0.075 m off after a minute.
+    let folder = scratch();
+    let at = |name: &str| folder.path().join(name);
+    let scene = "title = \"cone\"\nduration_s = 60\nrate_hz = 100\n[trajectory]\n\
+        roll_deg = { harmonics = [{ amplitude = 0.1, period_s = 0.025 }] }\n\
+        pitch_deg = { harmonics = [{ amplitude = 0.1, period_s = 0.025, phase_deg = 90 }] }\n\
+        latitude_deg = 45\n";
+    fs::write(at("cone.toml"), scene).expect("the disk has room");
+    let (cone, out) = (at("cone.toml"), at("imu.csv"));
+    run(&["emulate", text(&cone), "--perfect", "--out", text(&out)]).expect("it is a scene");
+    let initial = "time_s = 0\nlatitude_deg = 45\nlongitude_deg = 0\naltitude_m = 0\n\
+        north_m_s = 0\neast_m_s = 0\ndown_m_s = 0\nroll_deg = 0.1\npitch_deg = 0\nyaw_deg = 0\n";
+    let imu = fs::read_to_string(&out).expect("it is there");
+    for frame in ["local-level", "earth-fixed"] {
+        let nav = flown(&imu, initial, &["--frame", frame]).unwrap_or_else(|e| panic!("{e}"));
+        let off = apart(nav.last().expect("rows"), &[0.0, 45.0, 0.0, 0.0]);
+        assert!(off < 0.08, "{off} m");
     }
 }

@@ -16,8 +16,8 @@ fn counters_that_come_round_go_on() {
     for (from_s, period_s, unit_s, name) in [
         (604_795.0, 604_800.0, 1.0, "a GPS week"),
         (86_395.0, 86_400.0, 1.0, "a day"),
-        (4290.0, 4294.967_296, 1.0, "a 32-bit counter of microseconds"),
-        (4290.0, 4294.967_296, 1e-6, "a 32-bit counter of microseconds"),
+        (4290.0, 4_294.967_296, 1.0, "a 32-bit counter of microseconds"),
+        (4290.0, 4_294.967_296, 1e-6, "a 32-bit counter of microseconds"),
         (4_294_960.0, 4_294_967.296, 1e-3, "a 32-bit counter of milliseconds"),
         (60.0, 65.536, 1e-3, "a 16-bit counter of milliseconds"),
     ] {
@@ -36,7 +36,7 @@ fn counters_that_come_round_go_on() {
 #[test]
 fn a_counter_with_a_sign_comes_round_too() {
     let text = at_rest(2140.0, &even(2140.0, 100.0, 1000), |t| {
-        let stamp = if t >= 2147.483_648 { t - 4294.967_296 } else { t };
+        let stamp = if t >= 2_147.483_648 { t - 4_294.967_296 } else { t };
         format!("{stamp:.6}")
     });
     let (survey, samples) = good(&text, Some(2140.0));
@@ -55,7 +55,7 @@ fn a_clock_that_was_set_back_is_refused_with_its_line() {
     let survey = survey.unwrap_or_else(|e| panic!("{e}"));
     let mut samples =
         schuler_host::recording::samples::Samples::new(&recording, &survey, None).expect("again");
-    while samples.next().expect("the same").is_some() {}
+    while samples.advance().expect("the same").is_some() {}
     let message = samples.trailing()[0].error.to_string();
     assert!(message.starts_with("imu.csv:52: time_s: 0.01 is not after 0.5"), "{message}");
 }
@@ -72,7 +72,8 @@ fn rows_written_twice_are_left_out_and_said() {
     // Another sample at the same time is not: which one is it?
     let other = row.replacen(",0,", ",1,", 1);
     let (_, samples) = good(&text.replace(row, &format!("{row}\n{other}")), None);
-    let message = samples.iter().flat_map(|s| &s.unread).next().expect("it is told").error.to_string();
+    let message =
+        samples.iter().flat_map(|s| &s.unread).next().expect("it is told").error.to_string();
     assert!(message.starts_with("imu.csv:42: time_s: 0.4 is not after 0.4"), "{message}");
 }
 
@@ -89,11 +90,15 @@ fn a_stamp_that_stood_still_is_given_its_place() {
 
 #[test]
 fn units_with_one_reading_are_taken() {
-    for (unit, unit_s, digits) in
-        [("milliseconds", 1e-3, 0), ("microseconds", 1e-6, 0), ("nanoseconds", 1e-9, 0), ("milliseconds", 1e-3, 3)]
-    {
+    for (unit, unit_s, digits) in [
+        ("milliseconds", 1e-3, 0),
+        ("microseconds", 1e-6, 0),
+        ("nanoseconds", 1e-9, 0),
+        ("milliseconds", 1e-3, 3),
+    ] {
         for rate_hz in [50.0, 100.0, 400.0] {
-            let text = at_rest(0.0, &even(0.0, rate_hz, 400), |t| format!("{:.digits$}", t / unit_s));
+            let text =
+                at_rest(0.0, &even(0.0, rate_hz, 400), |t| format!("{:.digits$}", t / unit_s));
             let (survey, samples, recording) =
                 read("imu.csv", &text, None, Some(0.0)).unwrap_or_else(|e| panic!("{unit}: {e}"));
             let said = survey.said(&recording).join("\n");
@@ -110,6 +115,7 @@ fn units_with_two_readings_are_asked_for() {
     let rows: String = (1..50).map(|i| format!("{},0,0,0,0,0,-9.8\n", i * 100)).collect();
     let text = format!("{}\n{rows}", RATES.join(","));
     let message = read("imu.csv", &text, None, None).expect_err("it is not clear").to_string();
-    let expected = "imu.csv: has samples of 100 s; these look like milliseconds or microseconds; accepted: ";
+    let expected =
+        "imu.csv: has samples of 100 s; these look like milliseconds or microseconds; accepted: ";
     assert!(message.starts_with(expected), "{message}");
 }

@@ -78,7 +78,7 @@ fn mutated<M: Mechanization<Real: Scalar, State: Record>>(mechanization: &M, at:
         assert_eq!(mechanization.check(&state), Ok(()));
         let words = bits(&state);
         let next = &course.samples[at..(at + 24).min(course.samples.len())];
-        let mut tried = |words: &[u64], what: &dyn Fn() -> String| {
+        let tried = |words: &[u64], what: &dyn Fn() -> String| {
             let state = restored(&state, words);
             if mechanization.check(&state) == Ok(()) {
                 flies_on(mechanization, state, next, what);

@@ -67,10 +67,9 @@ fn flies_on<M: Mechanization<Real: Scalar>>(
             assert_eq!(M::integrated(&state), waits, "{}", what());
             return;
         }
-        // Asked again at the first sample after a block.
-        lost &= M::integrated(&state) != waits;
-        assert!(!lost || mechanization.push(&mut { state }, sample).is_err(), "{}", what());
     }
+    // It is asked for between blocks: two dozen samples have more than one.
+    assert!(!lost, "{}", what());
     mechanization.finish_rows(&mut state, |_, row| {
         row.wide();
     });

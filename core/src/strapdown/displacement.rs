@@ -3,7 +3,7 @@
 //! In axes that stand still in inertial space the velocity w relative to the Earth obeys ẇ = a − Ω × w, a
 //! specific force plus plumb gravity and Ω the Earth's rate. With R(α) the turn by α about Ω,
 //! w(t) = R(−Ωt)v₀ + ∫R(−Ω(t−s))a(s)ds, and the displacement in the Earth's own axes is
-//! D = ∫R(−Ωt)w dt = R(−ΩT)·∫[sinh-like even series in Ω]: with ρ = T − s,
+//! D = ∫R(−Ωt)w dt, and R(−ΩT) comes out of it whole: with ρ = T − s,
 //! ∫ₛᵀ R(−Ω(2t−s))dt = R(−ΩT)(ρ + Ω²ρ³/6 + Ω⁴ρ⁵/120 …), Ω² meaning Ω×(Ω×·). The moments ∫aρ, ∫aρ²/2
 //! and ∫aρ³/6 are the integrals of net(t) = ∬a, so that
 //!

@@ -15,7 +15,8 @@ use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 use schuler::strapdown::window::{H0B2A0, H0B4A0, H2B4A2, H4B4A4};
-use schuler_host::scene::{Channel, Harmonic, Scene};
+use schuler::trajectory::harmonic::Harmonic;
+use schuler_host::scene::{Channel, Scene};
 use schuler_tests::{Course, Numbers, at_rest, largest};
 use std::f64::consts::{PI, TAU};
 

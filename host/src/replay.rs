@@ -7,14 +7,14 @@ use crate::output::say;
 use crate::progress::Progress;
 use crate::recording::navigation::{NavigationRow, NavigationWriter};
 use crate::recording::{Gap, Recording};
+use crate::rest::align;
+use crate::rest::opening::Opening;
 use crate::scene::{Gap as Policy, Navigator};
 use crate::simulate::{FlightError, Refused};
-use crate::units::{ARCSECOND, DEGREE, DEGREE_PER_HOUR};
-use schuler::alignment::{Alignment, AlignmentError};
+use crate::units::{ARCSECOND, DEGREE};
 use schuler::drift::compare::drift;
 use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
-use schuler::math::vector::Vector;
 use schuler::solution::Solution;
 use schuler::strapdown::plan;
 use std::collections::VecDeque;
@@ -28,7 +28,8 @@ const MOST_BRIDGED: u64 = 100_000;
 /// the vehicle ends up.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
-    let recording = Recording::read(&args.imu.display().to_string())?;
+    let recording =
+        Recording::read_in(&args.imu.display().to_string(), &args.units.unwrap_or_default())?;
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     options.gap = args.gap.unwrap_or(options.gap);
@@ -43,10 +44,10 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
 
     let spans = Spans::new(args, &recording, &initial)?;
     let start = match args.align {
-        Some(_) => align(&recording, spans.still, options.gap, &initial)?,
+        Some(_) => align(&recording, spans.still, options.gap, &initial, args.heading)?,
         None => initial,
     };
-    let last = fly(&recording, spans.flown, &start, &options, &args.out)?;
+    let last = fly(&recording, spans.flown, &start, args.align.is_some(), &options, &args.out)?;
     say(&report(&last, spans.navigate_s, args.align.is_some().then(|| start.solution())))?;
     Ok(())
 }
@@ -116,6 +117,7 @@ fn align(
     still: Range<usize>,
     policy: Policy,
     initial: &NavigationRow,
+    heading_deg: Option<f64>,
 ) -> Result<NavigationRow, FlightError> {
     let mut lost = 0;
     for gap in recording.gaps().filter(|gap| gap.index > still.start && gap.index <= still.end) {
@@ -125,32 +127,21 @@ fn align(
         }
         lost += missing;
     }
-    let mut alignment = Alignment::default();
-    for sample in &recording.samples[still.clone()] {
-        alignment.add(&sample.increment);
+    let samples = &recording.samples[still];
+    let mut stretch = align::gather(samples.len() as f64 * recording.interval_s);
+    for sample in samples {
+        stretch.add(&sample.increment, recording.interval_s);
     }
-    let attitude = alignment.attitude().map_err(|error: AlignmentError| {
-        InputError::file(&recording.file, Complaint::new(error.to_string(), ""))
-    })?;
-    let (rate, force) = alignment.mean(recording.interval_s);
-    let [roll, pitch, yaw] = [attitude.roll, attitude.pitch, attitude.yaw].map(|a| a / DEGREE);
-    let lost = if lost > 0 { format!(", {lost} missing") } else { String::new() };
-    let text = format!(
-        "aligned on {} samples{lost}: roll {roll:.4}°, pitch {pitch:.4}°, heading {:.4}°\n\
-         mean rate {:.3} °/h, mean specific force {:.6} m/s²\n",
-        still.len(),
-        yaw.rem_euclid(360.0),
-        rate.norm() / DEGREE_PER_HOUR,
-        force.norm()
-    );
-    say(&text)?;
-    Ok(NavigationRow { attitude, velocity_ned: Vector::ZERO, ..*initial })
+    let heading = heading_deg.map(|heading| heading * DEGREE);
+    let (file, kind) = (&recording.file, recording.kind);
+    Ok(align::align(&stretch, kind, file, initial, heading, samples.len(), lost)?)
 }
 
 fn fly(
     recording: &Recording,
     flown: Range<usize>,
     start: &NavigationRow,
+    is_aligned: bool,
     options: &Navigator,
     out: &Path,
 ) -> Result<(f64, Solution<f64>), FlightError> {
@@ -166,10 +157,14 @@ fn fly(
         written: Ok(()),
     };
     let progress = Progress::new(flown.len() as u64);
+    let mut opening = (!is_aligned).then(|| Opening::new(&recording.file, recording.kind, start));
     let mut bridge = Bridge::new(options.gap.into());
     let mut gaps = recording.gaps().filter(|gap| gap.index > flown.start).peekable();
     for index in flown.clone() {
         let sample = recording.samples[index];
+        if let Some(opening) = &mut opening {
+            opening.add(&sample.increment, recording.interval_s)?;
+        }
         let missing = missing(recording, index, gaps.next_if(|gap| gap.index == index))?;
         for behind in (0..=missing).rev() {
             rows.times_s.push_back(sample.time_s - behind as f64 * recording.interval_s);
@@ -180,6 +175,9 @@ fn fly(
         }
         std::mem::replace(&mut rows.written, Ok(()))?;
         progress.reach((index - flown.start) as u64);
+    }
+    if let Some(opening) = &mut opening {
+        opening.finish()?;
     }
     navigator.finish(&mut |_, row| rows.add(row));
     progress.finish();

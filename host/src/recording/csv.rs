@@ -4,6 +4,7 @@ use super::{Recording, Sample, quadrature};
 use crate::input::{Complaint, InputError};
 use crate::output::NumberTable;
 use csv::{ByteRecord, ReaderBuilder};
+use schuler::alignment::units::Kind;
 use schuler::math::vector::Vector;
 use schuler::sample::{Increment, Rates};
 use std::path::Path;
@@ -33,6 +34,11 @@ pub const RATES: [&str; 7] = [
 ///
 /// Rates become increments by the rule of [`quadrature`].
 pub fn parse(file: &str, text: &str) -> Result<Recording, InputError> {
+    parse_as(file, text, None)
+}
+
+/// The same for samples of a kind, whatever the header says.
+pub fn parse_as(file: &str, text: &str, kind: Option<Kind>) -> Result<Recording, InputError> {
     let mut reader =
         ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
     let mut record = ByteRecord::new();
@@ -73,7 +79,9 @@ pub fn parse(file: &str, text: &str) -> Result<Recording, InputError> {
         samples.push(Sample { time_s, line, increment });
     }
     let mut recording = Recording::new(file, samples, None, None)?;
-    if columns == &RATES {
+    let by_header = if columns == &RATES { Kind::Rates } else { Kind::Increments };
+    recording.kind = kind.unwrap_or(by_header);
+    if recording.kind == Kind::Rates {
         quadrature::integrate(&mut recording.samples, recording.interval_s);
     }
     Ok(recording)

@@ -6,7 +6,9 @@ pub mod psins;
 pub mod quadrature;
 
 use crate::input::{Complaint, InputError, read_text};
+use crate::rest::units::Units;
 use navigation::NavigationRow;
+use schuler::alignment::units::Kind;
 use schuler::sample::Increment;
 use std::path::Path;
 
@@ -30,6 +32,8 @@ pub struct Recording {
     pub interval_s: f64,
     /// In the order of time, at least two.
     pub samples: Vec<Sample>,
+    /// What the file's samples are, or are said to be.
+    pub kind: Kind,
     /// The state that the file itself says it starts from.
     pub initial: Option<NavigationRow>,
 }
@@ -46,12 +50,32 @@ pub struct Gap {
 }
 
 impl Recording {
+    /// From a file, its numbers in units of their own.
+    pub fn read_in(file: &str, units: &Units) -> Result<Self, InputError> {
+        let text = read_text(file)?;
+        let mut recording = Self::parse(file, &text, units.kind)?;
+        for sample in &mut recording.samples {
+            sample.increment = units.apply(&sample.increment);
+        }
+        Ok(recording)
+    }
+
     /// From a file: a PSINS `.imu` (by its ending or its `%`), else a CSV of increments or rates.
     pub fn read(file: &str) -> Result<Self, InputError> {
-        let text = read_text(file)?;
+        Self::read_in(file, &Units::default())
+    }
+
+    fn parse(file: &str, text: &str, kind: Option<Kind>) -> Result<Self, InputError> {
         let is_psins = Path::new(file).extension().is_some_and(|e| e.eq_ignore_ascii_case("imu"))
             || text.trim_start().starts_with('%');
-        if is_psins { psins::parse(file, &text) } else { csv::parse(file, &text) }
+        match kind {
+            Some(Kind::Rates) if is_psins => {
+                let what = "a PSINS .imu holds increments";
+                Err(InputError::option("--units", Complaint::new(what, "units without rates")))
+            }
+            _ if is_psins => psins::parse(file, text),
+            kind => csv::parse_as(file, text, kind),
+        }
     }
 
     fn new(
@@ -70,7 +94,7 @@ impl Recording {
         if interval_s > 1.0 {
             return Err(complain(format!("has samples of {interval_s} s")));
         }
-        Ok(Self { file: file.to_owned(), interval_s, samples, initial })
+        Ok(Self { file: file.to_owned(), interval_s, samples, kind: Kind::Increments, initial })
     }
 
     /// Where the first sample's interval starts, s.

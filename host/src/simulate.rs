@@ -14,7 +14,7 @@ use crate::navigator;
 use crate::plan::Plan;
 use crate::scene::{Scene, Vertical};
 use crate::source::{Source, SourceError};
-use crate::theory::Theory;
+use crate::theory::{Outside, Theory};
 use crate::timing;
 use crate::units::{ARCSECOND, DEGREE};
 use log::Log;
@@ -22,6 +22,7 @@ use schuler::drift::compare::{Drift, drift};
 use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
+use std::cell::Cell;
 
 /// A scene ready to be flown: all that can be wrong with it has been found.
 pub struct Simulation<'a> {
@@ -66,8 +67,18 @@ impl<'a> Simulation<'a> {
         let (samples, gap) = (scene.samples(), scene.navigator.gap);
         let mut log = Log::new(samples, scene.rate_hz);
         let mut written = Ok(());
+        // Samples that theory knows nothing of: what comes after them is not compared with it.
+        let strayed = Cell::new(false);
+        let mut outside = None;
         let mut row = |n: u64, computed: &Solution<f64>| {
-            let instant = instant(&source, &mut theory, n, computed);
+            let mut instant = instant(&source, &mut theory, n, computed);
+            outside = match strayed.get() {
+                true => Some(Outside::Samples),
+                false => theory.outside(instant.time_s),
+            };
+            if outside.is_some() {
+                (instant.mean, instant.sigma) = (Nine::UNKNOWN, Nine::UNKNOWN);
+            }
             log.add(n, &instant);
             if written.is_ok() {
                 written = observe(&instant);
@@ -78,6 +89,9 @@ impl<'a> Simulation<'a> {
         let mut bridge = Bridge::new(gap.into());
         for sample in 1..=samples {
             let measured = stream.advance();
+            if measured.is_none() || stream.saturated() > 0 {
+                strayed.set(true);
+            }
             let taken = bridge.take(measured, |increment| {
                 push(vehicle.as_mut(), increment, scene, &source, &mut row)
             });
@@ -102,6 +116,7 @@ impl<'a> Simulation<'a> {
             first_minute: log.first_minute,
             saturated: stream.saturated(),
             lost: bridge.lost().into(),
+            outside,
             link: None,
             time: Some(timing::stages(scene, &source, vehicle.navigator())),
         })

@@ -1,9 +1,9 @@
 //! What a unit reads while it stands still: means, and how far the means of short pieces scatter.
 //!
-//! The pieces tell noise from motion: noise of a sensor at rest is nearly white, so means of pieces
-//! scatter about their own mean as much as from one to the next, and the mean of n of them by σ/√n.
+//! The pieces tell noise from motion, and how good the mean of all is.
 
 use super::Alignment;
+use super::scatter::Scatter;
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
@@ -20,8 +20,8 @@ pub struct Still<R> {
     filled_s: R,
     seconds: R,
     samples: u32,
-    rate: Series<R>,
-    force: Series<R>,
+    rate: Scatter<R>,
+    force: Scatter<R>,
 }
 
 /// What a still unit reads.
@@ -59,8 +59,8 @@ impl<R: Scalar> Still<R> {
             filled_s: R::ZERO,
             seconds: R::ZERO,
             samples: 0,
-            rate: Series::default(),
-            force: Series::default(),
+            rate: Scatter::default(),
+            force: Scatter::default(),
         }
     }
 
@@ -94,7 +94,7 @@ impl<R: Scalar> Still<R> {
 
     /// Whole pieces gathered.
     pub fn pieces(&self) -> u32 {
-        self.rate.count
+        self.rate.count()
     }
 
     /// What was read so far; `None` before the first sample.
@@ -104,20 +104,13 @@ impl<R: Scalar> Still<R> {
         }
         let interval_s = self.seconds / R::count(self.samples);
         let (rate_ib_b, specific_force_b) = self.whole.mean(interval_s);
-        let pieces = R::count(self.force.count.max(1));
         let one_axis = |v: Vector<R>| ((v.x + v.y + v.z) * R::ratio(1, 3)).sqrt();
-        let sigma = |series: &Series<R>| {
-            let (about_mean, from_last) = (series.variance(), series.step_variance());
-            one_axis(
-                about_mean.zip(from_last, |a, b| if a > b { a } else { b }) * (R::ONE / pieces),
-            )
-        };
         let spread = self.force.variance();
         // A body that turns sees a steady direction u of the vertical move: u̇ = −ω × u, so that
         // u × u̇ = −ω + u(u·ω): what turns about level axes, with its sign changed.
         let norm = specific_force_b.norm();
-        let turn_b = if norm > R::ZERO && self.force.count > 0 {
-            let piece_s = (self.seconds - self.filled_s) / pieces;
+        let turn_b = if norm > R::ZERO && self.force.count() > 0 {
+            let piece_s = (self.seconds - self.filled_s) / R::count(self.force.count());
             let slope = self.force.slope() * (R::ONE / piece_s);
             -(specific_force_b.cross(slope) * (R::ONE / (norm * norm)))
         } else {
@@ -127,75 +120,12 @@ impl<R: Scalar> Still<R> {
             rate_ib_b,
             specific_force_b,
             interval_s,
-            rate_sigma: sigma(&self.rate),
-            force_sigma: sigma(&self.force),
+            rate_sigma: one_axis(self.rate.variance_of_mean()),
+            force_sigma: one_axis(self.force.variance_of_mean()),
             rate_noise: one_axis(self.rate.step_variance()),
             force_noise: one_axis(self.force.step_variance()),
             force_spread: (spread.x + spread.y + spread.z).sqrt(),
             turn_b,
         })
-    }
-}
-
-/// Sums over the pieces of one triad, taken from the first of them for the sake of digits.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct Series<R> {
-    count: u32,
-    first: Vector<R>,
-    last: Vector<R>,
-    sum: Vector<R>,
-    squares: Vector<R>,
-    /// Squares of the steps from each piece to the next.
-    steps: Vector<R>,
-    /// Σ k·x_k, k from 0.
-    moment: Vector<R>,
-}
-
-impl<R: Scalar> Series<R> {
-    fn add(&mut self, value: Vector<R>) {
-        if self.count == 0 {
-            self.first = value;
-        }
-        let square = |v: Vector<R>| v.map(|c| c * c);
-        let value = value - self.first;
-        self.squares = self.squares + square(value);
-        self.steps = self.steps + square(value - self.last);
-        self.sum = self.sum + value;
-        self.moment = self.moment + value * R::count(self.count);
-        self.last = value;
-        self.count = self.count.saturating_add(1);
-    }
-
-    /// Variance about the mean.
-    fn variance(&self) -> Vector<R> {
-        if self.count < 2 {
-            return Vector::ZERO;
-        }
-        let n = R::count(self.count);
-        let mean = self.sum * (R::ONE / n);
-        let about = self.squares - mean.zip(self.sum, |mean, sum| mean * sum);
-        about.map(|c| if c > R::ZERO { c / (n - R::ONE) } else { R::ZERO })
-    }
-
-    /// Half the mean square of a step: the variance where pieces are independent, whatever else moves
-    /// slowly (the Allan variance at a piece's length).
-    fn step_variance(&self) -> Vector<R> {
-        if self.count < 2 {
-            return Vector::ZERO;
-        }
-        self.steps * (R::HALF / R::count(self.count - 1))
-    }
-
-    /// The slope of the straight line through the pieces, per piece.
-    fn slope(&self) -> Vector<R> {
-        if self.count < 2 {
-            return Vector::ZERO;
-        }
-        // Σ(k − k̄)x / Σ(k − k̄)²,  Σ(k − k̄)² = n(n² − 1)/12
-        let n = R::count(self.count);
-        let middle = (n - R::ONE) * R::HALF;
-        let squares = n * (n * n - R::ONE) * R::ratio(1, 12);
-        (self.moment - self.sum * middle) * (R::ONE / squares)
     }
 }

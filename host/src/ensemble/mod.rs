@@ -17,10 +17,10 @@ use crate::cli::EnsembleArgs;
 use crate::lanes::Registers;
 use crate::output::{OutputFile, say};
 use crate::progress::Progress;
-use crate::report::number::{rounded, short};
+use crate::report::number::{parameter, rounded, short};
 use crate::simulate::FlightError;
 use crate::source::{Source, SourceError};
-use crate::theory::Theory;
+use crate::theory::{Outside, Theory};
 use group::{Ground, Unit};
 use statistics::Verdict;
 use std::num::NonZero;
@@ -37,7 +37,8 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     check(&scene)?;
     let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
     let source = Source::new(&scene, false)?;
-    let mut theory = Theory::new(&scene).map_err(SourceError::Trajectory)?;
+    let theory = Theory::new(&scene).map_err(SourceError::Trajectory)?;
+    let mut theory = theory.for_runs(args.runs);
     let ground = Ground::new(&scene, &source);
     let unit = ground.widest(args.runs);
     // A scene that cannot start, or a file that cannot be written, is found before the long work.
@@ -56,10 +57,18 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let took = begin.elapsed();
     progress.finish();
 
+    if flown.saturated > 0 {
+        theory = theory.ended(Outside::Samples);
+    }
     let comparisons =
         statistics::compare(&flown.readings, |sample| source.time_s(sample), &mut theory);
     file.fill(csv::bytes(&comparisons))?;
+    let outside = statistics::outside(&flown.readings, |sample| source.time_s(sample), &mut theory);
     let mut text = table::table(&comparisons, args.runs);
+    if let Some((time_s, outside)) = outside {
+        let time_s = parameter(time_s);
+        text += &format!("not comparable at {time_s} s: the linear model ends where {outside}\n");
+    }
     if flown.saturated > 0 {
         let samples = flown.saturated;
         text +=

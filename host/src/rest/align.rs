@@ -16,8 +16,9 @@ use schuler::solution::Euler;
 const PIECE_S: f64 = 1.0;
 /// A stretch that is shorter is cut into so many pieces.
 const FEWEST_PIECES: f64 = 16.0;
-/// A heading of a larger standard deviation is none, rad.
-const WORST_HEADING: f64 = 30.0 * DEGREE;
+/// A heading of a larger standard deviation is none: the gyros show no more of the Earth's rate than of
+/// their own errors, rad.
+const WORST_HEADING: f64 = 1.0;
 /// A heading of a larger standard deviation, or one of level, is worth a warning, rad.
 const POOR_HEADING: f64 = DEGREE;
 const POOR_LEVEL: f64 = 0.5 * DEGREE;

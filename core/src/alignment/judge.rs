@@ -12,8 +12,8 @@ use crate::math::real::Scalar;
 
 /// Specific force may differ from gravity by so much of it: a poor accelerometer's bias, 0.1 g.
 const FORCE_LIMIT: f64 = 0.1;
-/// Explanations whose misfit exceeds the best one's by so much are dropped.
-const RIVAL: f64 = 0.03;
+/// Explanations are dropped whose misfit is so many times the best one's, and 1 % on top.
+const RIVAL: f64 = 10.0;
 /// An angular rate that no bias reaches, rad/s: 5 °/s.
 const RATE_LIMIT: f64 = 0.0873;
 /// A unit or a sign explains a rate if it leaves so much of the Earth's.
@@ -219,7 +219,7 @@ fn units<R: Scalar>(
 fn keep_rivals<U: Copy, R: Scalar>(explanations: &mut Explanations<U, R>) {
     let best = explanations.iter().next().map(|best| best.misfit);
     if let Some(best) = best {
-        explanations.retain(|one| one.misfit < best + R::of(RIVAL));
+        explanations.retain(|one| one.misfit < best * R::of(RIVAL) + R::of(0.01));
     }
 }
 

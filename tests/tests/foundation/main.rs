@@ -7,6 +7,7 @@ mod compensated;
 mod earth;
 mod formats;
 mod imu;
+mod plausible;
 mod quaternion;
 mod real;
 mod solution;

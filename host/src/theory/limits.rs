@@ -16,6 +16,8 @@ const LARGEST_ROTATION: f64 = 0.1;
 const FARTHEST_M: f64 = 2e5;
 /// Second-order terms above this share of what is expected are too large, in a single run.
 pub const SHARE: f64 = 0.1;
+/// Less than this is nobody's concern, m and m/s.
+const LEAST: [f64; 2] = [1e-6, 1e-8];
 /// Steps matter above this share of the standard deviation.
 const STEPS_SHARE: f64 = 0.3;
 /// The rounding of a step is white noise where the signal crosses so many steps per sample, or noise
@@ -130,14 +132,14 @@ pub fn outside(
         (Quantity::Position, 0, mean.position, second.position),
         (Quantity::Velocity, 3, mean.velocity, second.velocity),
     ];
-    for (quantity, from, mean, second) in groups {
+    for ((quantity, from, mean, second), least) in groups.into_iter().zip(LEAST) {
         let second = second.into_array();
         let beside = |axis: usize| match sigma(from) {
             0.0 => mean.norm(),
             _ => variance(from + axis).sqrt(),
         };
         for (axis, size) in second.map(f64::abs).into_iter().enumerate() {
-            if beside(axis) > 0.0 && size > share * beside(axis) {
+            if size > least && size > share * beside(axis) {
                 return Some(Outside::SecondOrder(quantity, size, beside(axis)));
             }
         }

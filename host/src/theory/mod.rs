@@ -153,12 +153,12 @@ impl Theory {
         let steps = |outside: &Outside| {
             matches!(outside, Outside::GyroStep(_) | Outside::AccelerometerStep(_))
         };
+        let Self { course, march, share, .. } = self;
+        let (sources, end_s) = (&course.sources, march.end_s());
+        let found = limits::outside(march.end(), sources, &course.coarse, end_s, *share);
         // Beside errors that grow, steps are forgotten.
-        if self.outside.as_ref().is_none_or(steps) {
-            let Self { course, march, share, .. } = self;
-            let (sources, end_s) = (&course.sources, march.end_s());
-            self.outside = limits::outside(march.end(), sources, &course.coarse, end_s, *share);
-        }
+        let left = self.outside.filter(|outside| !steps(outside));
+        self.outside = found.filter(|found| left.is_none() || !steps(found)).or(left);
     }
 
     /// Mean and variance of the drift's nine numbers, from the error at a time within the step.

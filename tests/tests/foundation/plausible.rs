@@ -66,7 +66,8 @@ fn what_is_right_passes() {
 fn units_are_named() {
     let (rate, force) = at_rest();
     for unit in ForceUnit::ALL.into_iter().skip(1) {
-        let Some(Contradiction::Units { force, rate }) = contradiction(rate, force * (1.0 / unit.si()))
+        let Some(Contradiction::Units { force, rate }) =
+            contradiction(rate, force * (1.0 / unit.si()))
         else {
             panic!("{unit:?}")
         };
@@ -74,7 +75,8 @@ fn units_are_named() {
         assert_eq!((found, rate.is_empty()), (vec![(unit, Kind::Rates)], true), "{unit:?}");
     }
     for unit in RateUnit::ALL.into_iter().skip(1) {
-        let Some(Contradiction::Units { force, rate }) = contradiction(rate * (1.0 / unit.si()), force)
+        let Some(Contradiction::Units { force, rate }) =
+            contradiction(rate * (1.0 / unit.si()), force)
         else {
             panic!("{unit:?}")
         };
@@ -89,7 +91,8 @@ fn a_wrong_header_is_named() {
     for said in [Kind::Increments, Kind::Rates] {
         let mistaken = said.mistaken(INTERVAL_S);
         let read = (rate * mistaken, force * mistaken);
-        let Some(Contradiction::Units { force, rate }) = judged(LATITUDE, said, |_| read).contradiction
+        let Some(Contradiction::Units { force, rate }) =
+            judged(LATITUDE, said, |_| read).contradiction
         else {
             panic!("{said:?}")
         };
@@ -134,7 +137,10 @@ fn motion_is_told() {
     let rocked = told(&|t| (rate, force + Vector::new(2.0 * (0.3 * t).sin(), 0.0, 0.0)));
     assert_eq!(rocked, Some(Contradiction::Moving));
     let pushed = told(&|_| (rate, force + force * (1.0 / force.norm())));
-    assert!(matches!(pushed, Some(Contradiction::Accelerating | Contradiction::Force)), "{pushed:?}");
+    assert!(
+        matches!(pushed, Some(Contradiction::Accelerating | Contradiction::Force)),
+        "{pushed:?}"
+    );
     assert_eq!(told(&|_| (rate, force * 1e-3 * 0.1)), Some(Contradiction::Force));
     assert_eq!(told(&|_| (rate + force * 0.02, force)), Some(Contradiction::Rate));
 }

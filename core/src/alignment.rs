@@ -4,6 +4,12 @@
 //! component to the east. Source: Groves, 2nd ed., §5.6 (levelling and gyrocompassing); the triad of
 //! Black (1964).
 
+pub mod judge;
+mod scatter;
+pub mod signs;
+pub mod still;
+pub mod units;
+
 use crate::math::compensated::Pair;
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
@@ -55,6 +61,19 @@ impl<R: Scalar> Alignment<R> {
     pub fn mean(&self, interval_s: R) -> (Vector<R>, Vector<R>) {
         let per_second = R::ONE / (interval_s * R::count(self.samples.max(1)));
         (self.angle_b.value() * per_second, self.velocity_b.value() * per_second)
+    }
+
+    /// Roll and pitch beside a yaw that is known otherwise, rad.
+    pub fn level(&self, yaw: R) -> Result<Euler<R>, AlignmentError> {
+        if self.samples == 0 {
+            return Err(AlignmentError::Empty);
+        }
+        let down = unit(-self.velocity_b.value(), R::of(1e-12))?;
+        let cosine = (down.y * down.y + down.z * down.z).sqrt();
+        // On end roll and yaw are one angle: all of it is the yaw.
+        let upright = cosine > R::entry(1e-6, 1e-12);
+        let roll = if upright { down.y.atan2(down.z) } else { R::ZERO };
+        Ok(Euler { roll, pitch: (-down.x).atan2(cosine), yaw })
     }
 
     /// The attitude, rad.

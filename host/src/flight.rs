@@ -2,6 +2,7 @@
 
 use crate::high::Neglected;
 use crate::scene::{Scene, WindowShape};
+use crate::theory::Outside;
 use serde::Serialize;
 
 /// Nine numbers about one instant: position, velocity and attitude in north, east, down.
@@ -29,6 +30,13 @@ impl Nine {
         "yaw_arcsec",
     ];
 
+    /// Where there is nothing to say.
+    pub const UNKNOWN: Self = Self {
+        position_m: [f64::NAN; 3],
+        velocity_m_s: [f64::NAN; 3],
+        attitude_arcsec: [f64::NAN; 3],
+    };
+
     /// In the order of [`Nine::NAMES`].
     pub fn numbers(&self) -> [f64; 9] {
         let parts = [self.position_m, self.velocity_m_s, self.attitude_arcsec];
@@ -43,7 +51,7 @@ pub struct Instant {
     pub time_s: f64,
     /// Computed minus true.
     pub drift: Nine,
-    /// What the linear error model expects of it on average.
+    /// What the linear error model expects of it on average; not a number where that has ended.
     pub mean: Nine,
     /// Its standard deviation by the linear error model.
     pub sigma: Nine,
@@ -234,8 +242,21 @@ pub struct Flight {
     pub saturated: u64,
     /// Samples lost on the way to the navigator, and filled in.
     pub lost: u64,
+    /// What ended the linear error model before the last instant.
+    pub outside: Option<Outside>,
     /// What happened on the link to a target; absent when there was none.
     pub link: Option<LinkReport>,
     /// Stage times; absent when not measured.
     pub time: Option<StageTimes>,
+}
+
+impl Flight {
+    /// Takes theory away from a flight whose samples were not the scene's.
+    pub fn forget_theory(&mut self) {
+        self.outside = Some(Outside::Samples);
+        let kept = self.overview.iter_mut().chain(&mut self.first_minute);
+        for instant in kept.chain([&mut self.last]) {
+            (instant.mean, instant.sigma) = (Nine::UNKNOWN, Nine::UNKNOWN);
+        }
+    }
 }

@@ -18,6 +18,7 @@ pub mod progress;
 pub mod recording;
 pub mod replay;
 pub mod report;
+pub mod rest;
 pub mod run;
 pub mod scene;
 pub mod simulate;

@@ -14,7 +14,7 @@ use crate::navigator;
 use crate::plan::Plan;
 use crate::scene::{Scene, Vertical};
 use crate::source::{Source, SourceError};
-use crate::theory::Theory;
+use crate::theory::{Outside, Theory};
 use crate::timing;
 use crate::units::{ARCSECOND, DEGREE};
 use log::Log;
@@ -83,8 +83,18 @@ impl<'a> Simulation<'a> {
         let (samples, gap) = (scene.samples(), scene.navigator.gap);
         let mut log = Log::new(samples, scene.rate_hz);
         let (written, flown) = (RefCell::new(Ok(())), Cell::new(0));
+        // Samples that theory knows nothing of: what comes after them is not compared with it.
+        let strayed = Cell::new(false);
+        let mut outside = None;
         let mut row = |n: u64, computed: &Solution<f64>| {
-            let instant = instant(&source, &mut theory, n, computed);
+            let mut instant = instant(&source, &mut theory, n, computed);
+            outside = match strayed.get() {
+                true => Some(Outside::Samples),
+                false => theory.outside(instant.time_s),
+            };
+            if outside.is_some() {
+                (instant.mean, instant.sigma) = (Nine::UNKNOWN, Nine::UNKNOWN);
+            }
             log.add(n, &instant);
             flown.set(n);
             let mut written = written.borrow_mut();
@@ -98,6 +108,9 @@ impl<'a> Simulation<'a> {
         let mut end = None;
         for sample in 1..=samples {
             let measured = stream.advance();
+            if measured.is_none() || stream.saturated() > 0 {
+                strayed.set(true);
+            }
             let taken = bridge.take(measured, |increment| {
                 push(vehicle.as_mut(), increment, scene, &source, &mut row)
             });
@@ -148,6 +161,7 @@ impl<'a> Simulation<'a> {
             neglected: log.highest.neglected(),
             saturated: stream.saturated(),
             lost: bridge.lost().into(),
+            outside,
             link: None,
         };
         Ok((flight, end.map_or(Ok(()), |(_, error)| Err(error))))

@@ -118,6 +118,19 @@ impl<R: Real> ErrorDynamics<R> {
         }
     }
 
+    /// The largest of what the linear equation leaves out, on average over errors of attitude whose
+    /// second moments E[ψψᵀ] are given: ½E[ψ × (ψ × f)] in velocity.
+    pub fn second_order(&self, attitude: &Matrix<R>) -> ErrorState<R> {
+        // ψ × (ψ × f) = ψ(ψ·f) − f|ψ|²
+        let [first, second, third] = attitude.rows;
+        let f = self.specific_force;
+        let mut velocity = (*attitude * f - f * (first.x + second.y + third.z)) * R::HALF;
+        if self.vertical_held {
+            velocity.z = R::ZERO;
+        }
+        ErrorState { velocity, position: Vector::ZERO, attitude: Vector::ZERO }
+    }
+
     /// F·G·e − Ġ·e: what drives x − G·e, for sensors whose integrals read too much by e.
     ///
     /// x̂ = x − G·e obeys dx̂/dt = F·x̂ + (F·G − Ġ)e where dx/dt = F·x + G·ė.

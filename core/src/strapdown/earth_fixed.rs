@@ -189,12 +189,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
             self.third_difference,
             self.fourth_difference,
         ];
-        [
-            self.difference,
-            self.second_difference,
-            self.third_difference,
-            self.fourth_difference,
-        ] = stretched(factor, differences);
+        [self.difference, self.second_difference, self.third_difference, self.fourth_difference] =
+            stretched(factor, differences);
         self.latitude.change = self.latitude.change * factor;
     }
 

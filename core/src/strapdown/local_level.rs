@@ -139,12 +139,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             self.third_difference,
             self.fourth_difference,
         ];
-        [
-            self.difference,
-            self.second_difference,
-            self.third_difference,
-            self.fourth_difference,
-        ] = stretched(factor, differences);
+        [self.difference, self.second_difference, self.third_difference, self.fourth_difference] =
+            stretched(factor, differences);
     }
 
     #[inline(always)]

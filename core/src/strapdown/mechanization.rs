@@ -1,9 +1,9 @@
 //! What every mechanization has in common: how it is started and fed, and what it refuses.
 
 use super::frame::{FARTHEST, Output};
+use super::navigator::Edges;
 use super::plausible::Damaged;
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
-use super::navigator::Edges;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;

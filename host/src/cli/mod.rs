@@ -12,6 +12,7 @@ pub use hil::HilArgs;
 pub use options::{FlightOptions, NavigatorOptions, Window};
 
 use crate::input::{Complaint, InputError};
+use crate::rest::units::Units;
 use crate::scene::{self, Gap, Scene, builtin};
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use std::path::{Path, PathBuf};
@@ -145,7 +146,8 @@ impl EmulateArgs {
 #[derive(Args, Clone, Debug, PartialEq)]
 #[command(after_help = "Examples:\n  \
     schuler replay --imu imu.csv --initial initial.toml --out nav.csv\n  \
-    schuler replay --imu car.imu --start 540 --align 120 --until 960 --out nav.csv")]
+    schuler replay --imu car.imu --start 540 --align 120 --until 960 --out nav.csv\n  \
+    schuler replay --imu phone.csv --units g,deg/s --initial here.toml --align 20 --heading 40 --out nav.csv")]
 pub struct ReplayArgs {
     /// The stream: an imu.csv of increments or rates, or a PSINS .imu
     #[arg(long, value_name = "FILE")]
@@ -162,6 +164,13 @@ pub struct ReplayArgs {
     /// First stand still this long to find level and north
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::length_s)]
     pub align: Option<f64>,
+    /// The heading to start from with --align, degrees from north to the east: gyros then need not find it
+    #[arg(long, value_name = "DEG", requires = "align", allow_negative_numbers = true, value_parser = options::heading_deg)]
+    pub heading: Option<f64>,
+    /// What the stream's numbers are in where that is not m/s² and rad/s (increments: m/s and rad): words
+    /// with commas between, as in g,deg/s; `increments` or `rates` overrules the header
+    #[arg(long, value_name = "WORDS", value_parser = Units::parse)]
+    pub units: Option<Units>,
     /// End at this time of the recording
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::time_s)]
     pub until: Option<f64>,

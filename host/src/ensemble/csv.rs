@@ -5,7 +5,7 @@ use crate::flight::Nine;
 
 /// The columns of `ensemble.csv`, in the unit that the component's name carries. The χ² of the mean has
 /// one degree of freedom, that of the standard deviation one less than there are runs; `_probability`
-/// is how often chance alone lies that far out. They are empty where theory sees nothing scatter.
+/// is how often chance alone lies that far out. They are empty where theory sees nothing scatter, and so is what it expects where its model has ended.
 pub const COLUMNS: [&str; 10] = [
     "time_s",
     "component",
@@ -23,6 +23,7 @@ pub const COLUMNS: [&str; 10] = [
 pub fn bytes(comparisons: &[Comparison]) -> Vec<u8> {
     let mut lines = csv::Writer::from_writer(Vec::new());
     let number = |x: f64| zmij::Buffer::new().format(x).to_owned();
+    let told = |x: f64| if x.is_nan() { String::new() } else { number(x) };
     // Records of one length, to memory: neither can fail.
     let _ = lines.write_record(COLUMNS);
     for c in comparisons {
@@ -35,9 +36,9 @@ pub fn bytes(comparisons: &[Comparison]) -> Vec<u8> {
             number(c.time_s),
             Nine::NAMES[c.component].to_owned(),
             number(c.mean),
-            number(c.mean_theory),
+            told(c.mean_theory),
             number(c.sigma),
-            number(c.sigma_theory),
+            told(c.sigma_theory),
             mean_chi_square,
             mean_probability,
             sigma_chi_square,

@@ -21,10 +21,10 @@ use crate::cli::EnsembleArgs;
 use crate::lanes::Registers;
 use crate::output::{OutputFile, say};
 use crate::progress::Progress;
-use crate::report::number::{rounded, short};
+use crate::report::number::{parameter, rounded, short};
 use crate::simulate::FlightError;
 use crate::source::{Source, SourceError};
-use crate::theory::Theory;
+use crate::theory::{Outside, Theory};
 use group::{Ground, Unit};
 use statistics::Verdict;
 use std::num::NonZero;
@@ -41,7 +41,8 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     check(&scene)?;
     let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
     let source = Source::new(&scene, false)?;
-    let mut theory = Theory::new(&scene).map_err(SourceError::Trajectory)?;
+    let theory = Theory::new(&scene).map_err(SourceError::Trajectory)?;
+    let mut theory = theory.for_runs(args.runs);
     let ground = Ground::new(&scene, &source);
     let unit = ground.widest(args.runs);
     // A scene that cannot start, or a file that cannot be written, is found before the long work.
@@ -60,6 +61,9 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let took = begin.elapsed();
     progress.finish();
 
+    if flown.saturated > 0 {
+        theory = theory.ended(Outside::Samples);
+    }
     let ended = args.runs - flown.failed.len() as u64;
     // Of a single run there is no spread.
     let readings = if ended > 1 { flown.readings.as_slice() } else { &[] };
@@ -68,7 +72,12 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let rounding = rounding::rounding(&ground, readings, threads, INSTANTS)?;
     let left_out = rounding::leave_out(&mut comparisons, &rounding, ended);
     file.fill(csv::bytes(&comparisons))?;
+    let outside = statistics::outside(readings, |sample| source.time_s(sample), &mut theory);
     let mut text = table::table(&comparisons, ended);
+    if let Some((time_s, outside)) = outside {
+        let time_s = parameter(time_s);
+        text += &format!("not comparable at {time_s} s: the linear model ends where {outside}\n");
+    }
     if left_out > 0 {
         let (precision, all) = (scene.navigator.precision.name(), comparisons.len());
         text += &format!(

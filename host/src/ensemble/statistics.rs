@@ -6,7 +6,7 @@
 use super::fleet::Reading;
 use crate::flight::Nine;
 use crate::simulate::nine;
-use crate::theory::Theory;
+use crate::theory::{Expected, Outside, Theory};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// What theory says scatters less than this is left to rounding, m, m/s, arcsec.
@@ -33,13 +33,13 @@ pub struct Comparison {
     pub component: usize,
     /// Over the runs.
     pub mean: f64,
-    /// What theory expects of it.
+    /// What theory expects of it; not a number where that has ended.
     pub mean_theory: f64,
     /// Standard deviation over the runs, about their own mean.
     pub sigma: f64,
     /// What theory expects of it.
     pub sigma_theory: f64,
-    /// Of mean and standard deviation; absent where theory sees nothing scatter.
+    /// Of mean and standard deviation; absent where theory sees nothing scatter or is not a number.
     pub tests: Option<[Test; 2]>,
 }
 
@@ -48,8 +48,9 @@ impl Comparison {
     fn new(time_s: f64, component: usize, values: &[f64], [mu, sigma_theory]: [f64; 2]) -> Self {
         let n = values.len() as f64;
         // About theory's mean first, so that a large mean costs no digits.
-        let gain = values.iter().map(|x| x - mu).sum::<f64>() / n;
-        let squares: f64 = values.iter().map(|x| (x - mu - gain) * (x - mu - gain)).sum();
+        let about = if mu.is_nan() { 0.0 } else { mu };
+        let gain = values.iter().map(|x| x - about).sum::<f64>() / n;
+        let squares: f64 = values.iter().map(|x| (x - about - gain) * (x - about - gain)).sum();
         let freedom = n - 1.0;
         let variance = sigma_theory * sigma_theory;
         let tests = (sigma_theory >= LEAST_SIGMA[component / 3]).then(|| {
@@ -64,7 +65,7 @@ impl Comparison {
         Self {
             time_s,
             component,
-            mean: mu + gain,
+            mean: about + gain,
             mean_theory: mu,
             sigma: (squares / freedom).sqrt(),
             sigma_theory,
@@ -90,7 +91,10 @@ pub fn compare(
     let mut comparisons = Vec::new();
     for reading in readings {
         let time_s = time_s(reading.samples);
-        let expected = theory.at(time_s);
+        let mut expected = theory.at(time_s);
+        if theory.outside(time_s).is_some() {
+            expected = Expected::UNKNOWN;
+        }
         let (mean, sigma) = (nine(&expected.mean).numbers(), nine(&expected.sigma).numbers());
         let runs: Vec<_> = reading.drifts.iter().map(|drift| nine(drift).numbers()).collect();
         for component in 0..Nine::NAMES.len() {
@@ -100,6 +104,18 @@ pub fn compare(
         }
     }
     comparisons
+}
+
+/// What first ends theory at a reading, and the reading's time, s.
+pub fn outside(
+    readings: &[Reading],
+    time_s: impl Fn(u64) -> f64,
+    theory: &mut Theory,
+) -> Option<(f64, Outside)> {
+    readings.iter().find_map(|reading| {
+        let time_s = time_s(reading.samples);
+        theory.outside(time_s).map(|outside| (time_s, outside))
+    })
 }
 
 /// Whether an ensemble follows theory: each of its tests at the level that makes [`RISK`] of all.

@@ -76,15 +76,20 @@ fn at_end(end: &[Comparison]) -> String {
             "{:<14}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n",
             Nine::NAMES[c.component],
             short(c.mean),
-            short(c.mean_theory),
+            told(c.mean_theory),
             short(c.sigma),
-            short(c.sigma_theory),
+            told(c.sigma_theory),
             mean,
             sigma,
             both
         );
     }
     text
+}
+
+/// What theory says; a dash where it says nothing.
+fn told(value: f64) -> String {
+    if value.is_nan() { "–".to_owned() } else { short(value) }
 }
 
 /// A row per instant, a column per component.
@@ -118,6 +123,9 @@ fn verdict(comparisons: &[Comparison]) -> String {
         return "too few runs reached their end: nothing to compare\n".to_owned();
     }
     let Some((place, which, probability)) = worst else {
+        if comparisons.iter().any(|c| c.sigma_theory.is_nan()) {
+            return "The ensemble is not comparable with theory.\n".to_owned();
+        }
         return "theory sees nothing scatter: nothing to compare\n".to_owned();
     };
     let Comparison { component, time_s, .. } = comparisons[place];

@@ -198,7 +198,11 @@ pub fn fly_as_far(
     })?;
     let (mut flight, end) = simulation.fly_as_far(observe, progress)?;
     // What the target has filled in is no more the scene's than what the scene itself has lost.
-    flight.lost += log.lock().unwrap_or_else(PoisonError::into_inner).tally.bridged;
+    let bridged = log.lock().unwrap_or_else(PoisonError::into_inner).tally.bridged;
+    flight.lost += bridged;
+    if bridged > 0 {
+        flight.forget_theory();
+    }
     Ok((flight, end))
 }
 

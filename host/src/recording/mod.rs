@@ -15,16 +15,9 @@ pub mod survey;
 pub mod timeline;
 pub mod writer;
 
-use schuler::sample::Increment;
+pub use schuler::alignment::units::Kind;
 
-/// What the rows of a recording hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Integrals over each sample: rad, m/s.
-    Increments,
-    /// Values at each sample's end: rad/s, m/s².
-    Rates,
-}
+use schuler::sample::Increment;
 
 /// A row as it stands in its file.
 #[derive(Clone, Copy, Debug, PartialEq)]

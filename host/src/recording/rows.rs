@@ -3,6 +3,7 @@
 use super::navigation::NavigationRow;
 use super::{Kind, Row, csv, psins};
 use crate::input::{Complaint, InputError};
+use crate::rest::units::Units;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, Write};
 use std::path::Path;
@@ -15,7 +16,7 @@ const LONGEST: u64 = 1 << 16;
 pub struct Recording {
     /// Its name, for errors about its samples.
     pub name: String,
-    /// What its rows hold.
+    /// What its rows hold, or are said to hold.
     pub kind: Kind,
     /// The sample interval that the file itself states, s.
     pub interval_s: Option<f64>,
@@ -23,6 +24,7 @@ pub struct Recording {
     pub initial: Option<NavigationRow>,
     file: File,
     layout: Layout,
+    units: Units,
     /// Where the rows begin, and on which line.
     begins: (u64, u64),
 }
@@ -50,6 +52,18 @@ impl Recording {
         Self::new(name, open().map_err(|error| unreadable(name, &error))?)
     }
 
+    /// The same, its numbers in units of their own.
+    pub fn open_in(name: &str, units: Units) -> Result<Self, InputError> {
+        let recording = Self::open(name)?;
+        let kind = units.kind.unwrap_or(recording.kind);
+        if matches!(recording.layout, Layout::Psins(_)) && kind == Kind::Rates {
+            let what = "a PSINS .imu holds increments";
+            let complaint = Complaint::new(what, "units without rates");
+            return Err(InputError::option("--units", complaint));
+        }
+        Ok(Self { kind, units, ..recording })
+    }
+
     /// From a text; `name` stands for it in errors.
     pub fn of_text(name: &str, text: &str) -> Result<Self, InputError> {
         let spool = || -> io::Result<File> {
@@ -74,6 +88,7 @@ impl Recording {
                 initial: Some(initial),
                 file,
                 layout: Layout::Psins(settings),
+                units: Units::default(),
                 begins: lines.place(),
             });
         }
@@ -89,6 +104,7 @@ impl Recording {
             initial: None,
             file,
             layout: Layout::Csv(columns),
+            units: Units::default(),
             begins: lines.place(),
         })
     }
@@ -98,6 +114,7 @@ impl Recording {
         Ok(Rows {
             lines: Lines::new(&self.name, &self.file, self.begins)?,
             layout: self.layout,
+            units: self.units,
             before: Vec::new(),
             read: 0,
         })
@@ -114,6 +131,7 @@ impl Recording {
 pub struct Rows {
     lines: Lines,
     layout: Layout,
+    units: Units,
     before: Vec<u8>,
     read: u64,
 }
@@ -151,8 +169,11 @@ impl Rows {
             self.before.clear();
             self.before.extend_from_slice(text);
         }
-        let line = *number;
-        Ok(Some(parsed.map(|(stamp, values)| Row { stamp, line, values, repeated })))
+        let (line, units) = (*number, self.units);
+        Ok(Some(parsed.map(|(stamp, values)| {
+            let values = units.apply(&values);
+            Row { stamp, line, values, repeated }
+        })))
     }
 }
 

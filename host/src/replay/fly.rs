@@ -1,13 +1,12 @@
 //! The flight through a recording: samples as they come, aligned on or navigated.
 
-use super::align::Still;
 use super::rows::Rows;
 use super::spans::{Place, Spans};
 use crate::cli::ReplayArgs;
 use crate::high::Neglected;
 use crate::input::{Complaint, InputError};
 use crate::navigator::{self, Navigate, Unavailable};
-use crate::output::{large_table, say};
+use crate::output::large_table;
 use crate::progress::Progress;
 use crate::recording::clock::Clock;
 use crate::recording::navigation::{COLUMNS, NavigationRow};
@@ -15,8 +14,11 @@ use crate::recording::rows::Recording;
 use crate::recording::samples::{MOST_BRIDGED, Sample, Samples};
 use crate::recording::survey::Survey;
 use crate::recording::timeline::Misfit;
+use crate::rest::align;
+use crate::rest::opening::Opening;
 use crate::scene::{Gap as Policy, Navigator, WindowShape};
 use crate::simulate::FlightError;
+use crate::units::DEGREE;
 use schuler::solution::Solution;
 use schuler::strapdown::plan;
 
@@ -66,6 +68,8 @@ struct Flying<'a> {
     even: bool,
     navigator: Box<dyn Navigate>,
     rows: Rows,
+    /// Where it was not aligned.
+    opening: Option<Opening<'a>>,
 }
 
 /// Flies a recording and writes its rows.
@@ -79,7 +83,9 @@ pub fn fly(
     args: &ReplayArgs,
 ) -> Result<Flight, FlightError> {
     let mut samples = Samples::new(recording, survey, Some(spans.begin_s))?;
-    let mut still = Still::new(recording.kind);
+    let mut still = align::gather(spans.navigate_s - spans.begin_s);
+    // Of the stretch at rest: samples that were there, and that were missing.
+    let (mut there, mut lost) = (0, 0);
     let mut flying: Option<Flying> = None;
     let mut start = *initial;
     let mut bridged = Bridged::default();
@@ -93,11 +99,16 @@ pub fn fly(
         match spans.place(sample.end_s) {
             Place::Before => continue,
             Place::Still => {
-                begun |= still.samples == 0 && spans.begins_at(&sample, spans.begin_s);
+                begun |= there == 0 && spans.begins_at(&sample, spans.begin_s);
                 // What is missing before the stretch is no loss to it.
-                let within = still.samples > 0 || sample.filled;
+                let within = there > 0 || sample.filled;
                 bridgeable(recording, &sample, options.gap, within)?;
-                still.add(&sample);
+                if sample.filled {
+                    lost += 1;
+                } else {
+                    there += 1;
+                    still.add(&sample.increment, sample.interval_s);
+                }
             }
             Place::Flown => {
                 let flying = match &mut flying {
@@ -109,12 +120,13 @@ pub fn fly(
                         bridgeable(recording, &sample, options.gap, sample.filled)?;
                         spans.check_first(&sample, begun)?;
                         if args.align.is_some() {
-                            start = still.state(&recording.name, initial)?;
-                            say(&still.said(&start))?;
+                            let heading = args.heading.map(|heading| heading * DEGREE);
+                            let (name, kind) = (&recording.name, recording.kind);
+                            start =
+                                align::align(&still, kind, name, initial, heading, there, lost)?;
                         }
-                        let at = (spans.navigate_s, start.solution());
                         none.insert(Flying::new(
-                            recording, survey, spans, options, shape, at, args,
+                            recording, survey, spans, options, shape, &start, args,
                         )?)
                     }
                 };
@@ -141,10 +153,13 @@ impl<'a> Flying<'a> {
         spans: &Spans,
         options: &Navigator,
         shape: WindowShape,
-        start: (f64, Solution<f64>),
+        start: &NavigationRow,
         args: &ReplayArgs,
     ) -> Result<Self, FlightError> {
         let (order, interval) = (plan::HIGHEST_ORDER, survey.clock.interval());
+        let opening = args.align.is_none();
+        let opening = opening.then(|| Opening::new(&recording.name, recording.kind, start));
+        let start = (spans.navigate_s, start.solution());
         let navigator =
             navigator::start(options, shape, order, interval, &start.1).map_err(unavailable)?;
         let interval_s = survey.clock.interval_s();
@@ -155,11 +170,15 @@ impl<'a> Flying<'a> {
             eprintln!("{warning}");
         }
         let even = matches!(survey.clock, Clock::Even { .. });
-        Ok(Self { recording, even, navigator, rows: Rows::new(&args.out, args.every, start)? })
+        let rows = Rows::new(&args.out, args.every, start)?;
+        Ok(Self { recording, even, navigator, rows, opening })
     }
 
     fn take(&mut self, sample: &Sample) -> Result<(), FlightError> {
-        let Self { recording, even, navigator, rows } = self;
+        let Self { recording, even, navigator, rows, opening } = self;
+        if let Some(opening) = opening {
+            opening.add(&sample.increment, sample.interval_s)?;
+        }
         rows.expect(sample.time_s);
         let taken = if *even {
             navigator.push(&sample.increment, &mut |_, row| rows.add(row))
@@ -175,7 +194,10 @@ impl<'a> Flying<'a> {
     }
 
     fn finish(self) -> Result<((f64, Solution<f64>), Option<Neglected>), InputError> {
-        let Self { mut navigator, mut rows, .. } = self;
+        let Self { mut navigator, mut rows, mut opening, .. } = self;
+        if let Some(opening) = &mut opening {
+            opening.finish()?;
+        }
         navigator.finish(&mut |_, row| rows.add(row));
         let neglected = rows.highest.neglected();
         Ok((rows.finish()?, neglected))

@@ -1,6 +1,5 @@
 //! `schuler replay`: navigates a recorded stream.
 
-pub mod align;
 mod fly;
 mod report;
 mod rows;
@@ -22,7 +21,8 @@ use schuler::strapdown::plan;
 /// The recording is gone through twice, once to look and once to navigate, and never held in memory.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
-    let recording = Recording::open(&args.imu.display().to_string())?;
+    let recording =
+        Recording::open_in(&args.imu.display().to_string(), args.units.unwrap_or_default())?;
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     options.gap = args.gap.unwrap_or(options.gap);

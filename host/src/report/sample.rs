@@ -107,6 +107,7 @@ pub fn scaled(scale: f64) -> Flight {
         first_minute: times(0.05, 1200).map(|time_s| instant(time_s, scale)).collect(),
         neglected: None,
         saturated: 0,
+        outside: None,
         lost: 0,
         link: None,
         time: Some(StageTimes { trajectory_ns: 210.0, emulate_ns: 145.0, navigate_ns: 96.0 }),

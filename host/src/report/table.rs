@@ -3,9 +3,12 @@
 use super::number::{Quantity, Unit, rounded};
 use super::{largest, norm};
 use crate::flight::{Flight, Instant, Nine, Used};
+use crate::theory::Outside;
 
 /// How many rows the table has.
 const ROWS: usize = 12;
+/// What stands where theory has ended.
+const NOTHING: &str = "–";
 /// Characters of theory's mean ± 1σ.
 const THEORY_WIDTH: usize = 13;
 
@@ -29,8 +32,12 @@ impl Column {
     /// Error, mean and standard deviation. Of a norm they are the norms of each; the norm of
     /// the standard deviations is the root of the covariance's trace.
     pub fn cells(&self, instant: &Instant) -> [String; 3] {
-        [(&instant.drift, 4), (&instant.mean, 3), (&instant.sigma, 3)]
-            .map(|(nine, digits)| rounded((self.pick)(nine) * self.unit.factor, digits))
+        [(&instant.drift, 4), (&instant.mean, 3), (&instant.sigma, 3)].map(|(nine, digits)| {
+            match (self.pick)(nine) * self.unit.factor {
+                value if value.is_nan() => NOTHING.to_owned(),
+                value => rounded(value, digits),
+            }
+        })
     }
 }
 
@@ -100,7 +107,11 @@ pub fn table(flight: &Flight) -> String {
         let mut line = format!("{:>6.decimals$} ", instant.time_s);
         for column in &columns {
             let [error, mean, sigma] = column.cells(instant);
-            line += &format!("│ {error:>w$} {mean:>5} ± {sigma:<5} ", w = column.width());
+            let theory = match sigma.as_str() {
+                NOTHING => format!("{NOTHING:^THEORY_WIDTH$}"),
+                _ => format!("{mean:>5} ± {sigma:<5}"),
+            };
+            line += &format!("│ {error:>w$} {theory} ", w = column.width());
         }
         lines.push(line);
     }
@@ -191,20 +202,14 @@ fn outside_theory(flight: &Flight) -> Option<String> {
     if flight.lost > 0 {
         reasons.push(format!("{} samples were lost", flight.lost));
     }
-    if flight.scene.link.jitter_s > 0.0 {
-        reasons.push("the sampling jitters".to_owned());
-    }
-    let sigma = norm(flight.last.sigma.position_m) + norm(flight.last.mean.position_m);
-    if sigma > LINEAR_M {
-        reasons.push(format!("{} of drift is beyond it", Quantity::Position.show(sigma)));
+    match flight.outside {
+        Some(Outside::Samples) | None => {}
+        Some(outside) => reasons.push(outside.to_string()),
     }
     let what = reasons.join(", ");
     (!what.is_empty())
         .then(|| format!("Theory: not comparable, the linear model ends where {what}."))
 }
-
-/// Drift up to which the error model is linear enough to compare with, m.
-const LINEAR_M: f64 = 2e5;
 
 #[cfg(test)]
 mod tests {

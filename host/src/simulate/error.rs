@@ -157,8 +157,7 @@ impl Refused {
     pub fn is_of_the_sample(&self) -> bool {
         matches!(
             self,
-            Self::Missing
-                | Self::Rejected(Rejected::Angle | Rejected::Turn | Rejected::Velocity)
+            Self::Missing | Self::Rejected(Rejected::Angle | Rejected::Turn | Rejected::Velocity)
         )
     }
 

@@ -1,7 +1,8 @@
 //! What a scene's theory is integrated along: the true motion, and the sources of error.
 
+use super::limits;
 use super::moments::Covariance;
-use super::sources::{Sources, unit};
+use super::sources::{SENSORS, Sources, unit};
 use crate::scene::build::HARMONICS;
 use crate::scene::{Scene, Vertical};
 use schuler::drift::compare::Drift;
@@ -25,6 +26,8 @@ pub struct Course {
     vertical_held: bool,
     /// Whether there is a covariance at all.
     pub random: bool,
+    /// Sensors whose steps are coarse against what they should read.
+    pub coarse: [bool; SENSORS],
     /// Whether there is nothing to expect but zero.
     pub quiet: bool,
     /// The longest step that resolves the motion, s.
@@ -59,9 +62,11 @@ impl Course {
             (drift.position_ned.z, drift.velocity_ned.z) = (0.0, 0.0);
         }
         let shift = MeridianShift::new(&trajectory.at(0.0));
+        let coarse = limits::coarse(&trajectory, &sources, scene.duration_s);
         let (random, bound) = (sources.are_random(), trajectory.bound());
         Ok(Self {
             random,
+            coarse,
             quiet: !random && !sources.are_systematic() && drift == Drift::default(),
             longest_step_s: LONGEST_STEP_S
                 .min(LARGEST_TURN / bound.angular_rate)

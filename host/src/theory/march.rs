@@ -110,6 +110,11 @@ impl March {
         self.end.rate(at_end, course, &self.fast, &mut self.end_rate);
     }
 
+    /// The moments at the end of the current step.
+    pub fn end(&self) -> &Moments {
+        &self.end
+    }
+
     /// Mean and covariance of the error within the step, by Hermite's cubic.
     pub fn error_at(&self, time_s: f64) -> (ErrorState<f64>, Covariance) {
         let h = self.step_s;

@@ -2,14 +2,17 @@
 //!
 //! Along the true motion, small errors obey ẋ = F x + G u (`schuler::drift::linear`). Systematic
 //! sensor errors and initial errors move the mean, random ones the covariance. Outside the linear
-//! model, and so left out: saturation, samples lost or late on the link, and steps of quantization so
-//! coarse that the signal does not cross several of them per sample.
+//! model, and so left out: saturation, samples lost or late on the link, steps of quantization so
+//! coarse that the signal does not cross several of them per sample, and errors too large for it.
+//! [`Theory::outside`] tells when the model has ended.
 
 mod course;
+mod limits;
 mod march;
 mod moments;
 mod sources;
 
+pub use limits::Outside;
 pub use moments::Covariance;
 
 use crate::scene::Scene;
@@ -18,6 +21,7 @@ use march::{March, NODES};
 use schuler::drift::compare::Drift;
 use schuler::drift::linear::ErrorState;
 use schuler::earth::SEMI_MAJOR_AXIS;
+use schuler::math::vector::Vector;
 use schuler::trajectory::harmonic::CourseError;
 
 /// Closer to the Earth's axis than so many times the step's motion or the error, each time is worked
@@ -33,11 +37,26 @@ pub struct Expected {
     pub sigma: Drift,
 }
 
+impl Expected {
+    /// Where the linear model has ended.
+    pub const UNKNOWN: Self = {
+        let vector = Vector::new(f64::NAN, f64::NAN, f64::NAN);
+        let drift = Drift { position_ned: vector, velocity_ned: vector, attitude_ned: vector };
+        Self { mean: drift, sigma: drift }
+    };
+}
+
 /// Mean and covariance of a scene's drift, at times that increase.
 #[derive(Clone)]
 pub struct Theory {
     course: Course,
     march: March,
+    /// What ends the model in the current step or before it; large errors do not become small again.
+    outside: Option<Outside>,
+    /// What second-order terms may come to beside what is expected.
+    share: f64,
+    /// What ends it from the start on.
+    always: Option<Outside>,
     /// Coefficients of mean and variance over the current step; `None` next to a pole.
     cubic: Option<[[f64; NODES]; 18]>,
 }
@@ -47,7 +66,30 @@ impl Theory {
     pub fn new(scene: &Scene) -> Result<Self, CourseError> {
         let course = Course::new(scene)?;
         let march = March::new(&course);
-        Ok(Self { course, march, cubic: None })
+        let always = (scene.link.jitter_s > 0.0).then_some(Outside::Jitter);
+        let mut theory =
+            Self { course, march, outside: None, share: limits::SHARE, always, cubic: None };
+        theory.look();
+        Ok(theory)
+    }
+
+    /// To be compared with the mean of so many runs, which shows smaller errors of the mean.
+    pub fn for_runs(self, runs: u64) -> Self {
+        Self { share: limits::SHARE.min((runs as f64).sqrt().recip()), ..self }
+    }
+
+    /// Of runs in which something happened that it does not know.
+    pub fn ended(self, by: Outside) -> Self {
+        Self { always: Some(by), ..self }
+    }
+
+    /// What the linear model does not know of the scene up to a time, s. Times as for [`Theory::at`].
+    pub fn outside(&mut self, time_s: f64) -> Option<Outside> {
+        if self.always.is_some() || self.course.quiet {
+            return self.always;
+        }
+        self.reach(time_s);
+        self.outside
     }
 
     /// What is expected at a time, s. Cheap while times increase; an earlier one starts anew.
@@ -93,14 +135,30 @@ impl Theory {
     fn reach(&mut self, time_s: f64) {
         if time_s < self.march.start_s {
             (self.march, self.cubic) = (March::new(&self.course), None);
+            self.outside = None;
+            self.look();
         }
         while time_s > self.march.end_s() {
             self.march.step(&self.course);
             self.cubic = None;
+            self.look();
             if time_s <= self.march.end_s() {
                 self.cubic = self.fit();
             }
         }
+    }
+
+    /// Looks whether the model holds to the end of the current step.
+    fn look(&mut self) {
+        let steps = |outside: &Outside| {
+            matches!(outside, Outside::GyroStep(_) | Outside::AccelerometerStep(_))
+        };
+        let Self { course, march, share, .. } = self;
+        let (sources, end_s) = (&course.sources, march.end_s());
+        let found = limits::outside(march.end(), sources, &course.coarse, end_s, *share);
+        // Beside errors that grow, steps are forgotten.
+        let left = self.outside.filter(|outside| !steps(outside));
+        self.outside = found.filter(|found| left.is_none() || !steps(found)).or(left);
     }
 
     /// Mean and variance of the drift's nine numbers, from the error at a time within the step.

@@ -6,6 +6,8 @@
 use super::course::{Course, Instant};
 use super::sources::{SENSORS, Sources, unit};
 use schuler::drift::linear::ErrorState;
+use schuler::math::quaternion::Matrix;
+use schuler::math::vector::Vector;
 
 /// A symmetric matrix over position, velocity and attitude, north, east and down of each.
 pub type Covariance = [[f64; 9]; 9];
@@ -17,6 +19,8 @@ pub struct Moments {
     pub mean: ErrorState<f64>,
     /// P = E[(x − m)(x − m)ᵀ].
     pub covariance: Covariance,
+    /// What second-order terms in attitude, which the model leaves out, would add to the mean.
+    pub second: ErrorState<f64>,
     /// p = E[(x − m)b] for each of the slow biases.
     pub cross: Vec<ErrorState<f64>>,
 }
@@ -48,6 +52,7 @@ impl Moments {
     /// self + k·rate.
     pub fn advance(&mut self, rate: &Self, k: f64) {
         self.mean = self.mean + rate.mean * k;
+        self.second = self.second + rate.second * k;
         for (row, growth) in self.covariance.iter_mut().zip(&rate.covariance) {
             for (entry, growth) in row.iter_mut().zip(growth) {
                 *entry += k * growth;
@@ -61,8 +66,18 @@ impl Moments {
     /// Becomes a copy of another, keeping its memory.
     pub fn copy(&mut self, other: &Self) {
         self.mean = other.mean;
+        self.second = other.second;
         self.covariance = other.covariance;
         self.cross.clone_from(&other.cross);
+    }
+
+    /// E[ψψᵀ].
+    fn attitude_square(&self) -> Matrix<f64> {
+        let mean = self.mean.attitude.into_array();
+        let row = |i: usize| {
+            Vector::from(std::array::from_fn(|j| self.covariance[6 + i][6 + j] + mean[i] * mean[j]))
+        };
+        Matrix { rows: [row(0), row(1), row(2)] }
     }
 
     /// How fast the moments change at an instant of a course.
@@ -70,6 +85,7 @@ impl Moments {
         let (dynamics, sources) = (&at.dynamics, &course.sources);
         // ṁ = F m + G u
         to.mean = dynamics.growth(&self.mean) + dynamics.drive(&sources.systematic(&at.rates));
+        to.second = dynamics.growth(&self.second) + dynamics.second_order(&self.attitude_square());
         if !course.random {
             return;
         }

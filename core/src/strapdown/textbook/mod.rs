@@ -16,9 +16,9 @@ use super::frame::Output;
 use super::mechanization::{
     Gate, Limits, Mechanization, Rejected, StartError, admit_held, admit_start,
 };
+use super::plausible::{Damaged, MOST_COUNTED, Plausible};
 use super::unequal::UnequalIntervals;
 use crate::math::compensated::Pair;
-use super::plausible::{Damaged, MOST_COUNTED, Plausible};
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Solution;

@@ -1,0 +1,261 @@
+//! Whether what a still unit reads can be right.
+//!
+//! At rest on the Earth |f| = γ(φ, h), and ω has ω_ie sinφ along f and ω_ie cosφ across it. What sensors
+//! err by moves readings a little; a wrong unit, sign or latitude moves them by what can be named.
+//! Source: Groves, 2nd ed., §5.6 (levelling, gyrocompassing), §4.2 (what sensors err by).
+
+use super::signs::{self, Signs};
+use super::still::Readings;
+use super::units::{Explanations, ForceUnit, Kind, RateUnit};
+use crate::earth::{self, Geodetic};
+use crate::math::real::Scalar;
+
+/// Specific force may differ from gravity by so much of it: a poor accelerometer's bias, 0.1 g.
+const FORCE_LIMIT: f64 = 0.1;
+/// Explanations are dropped whose misfit is so many times the best one's, and 1 % on top.
+const RIVAL: f64 = 10.0;
+/// An angular rate that no bias reaches, rad/s: 5 °/s.
+const RATE_LIMIT: f64 = 0.0873;
+/// A unit or a sign explains a rate if it leaves so much of the Earth's.
+const RATE_FIT: f64 = 0.05;
+/// What passes for a bias beside the Earth's rate without a closer look.
+const RATE_CLOSE: f64 = 0.1;
+/// An error so many times a second's noise is no sensor's bias: ten times what the sensors known to
+/// drift most beside their noise show (consumer MEMS: 1 °/s beside 0.003 °/s; pendulums: 4 mg, 2 µg).
+const STEADY: f64 = 3000.0;
+/// Specific force that differs so much from gravity, and is steady, is an acceleration.
+const STEADY_FORCE: f64 = 0.005;
+/// Standing still, specific force varies less than so much of itself from piece to piece.
+const SPREAD_LIMIT: f64 = 0.03;
+
+/// What is known of a place where a unit stands still.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Place<R> {
+    /// Where.
+    pub position: Geodetic<R>,
+    /// Normal gravity γ, m/s².
+    pub gravity: R,
+    /// Earth's rate along the upward vertical, ω_ie sinφ, rad/s.
+    pub rate_up: R,
+    /// Earth's rate across it, ω_ie cosφ, rad/s.
+    pub rate_north: R,
+}
+
+impl<R: Scalar> Place<R> {
+    /// At a position.
+    pub fn new(position: Geodetic<R>) -> Self {
+        let (sine, cosine) = position.latitude.sin_cos();
+        let rotation = earth::rotation_ned(sine, cosine);
+        Self {
+            position,
+            gravity: earth::gravity(sine, position.altitude),
+            rate_up: -rotation.z,
+            rate_north: rotation.x,
+        }
+    }
+
+    /// The least that gyros must be wrong by to show a rate along and across the vertical, rad/s.
+    pub fn least_bias(&self, up: R, across: R) -> R {
+        let (up, across) = (up - self.rate_up, across - self.rate_north);
+        (up * up + across * across).sqrt()
+    }
+}
+
+/// What readings at rest contradict.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Contradiction<R> {
+    /// Numbers in another unit or of another kind than stated.
+    Units {
+        /// Of the accelerometers; none where they read as they should.
+        force: Explanations<ForceUnit, R>,
+        /// Of the gyros; none where they read as they should, or cannot tell.
+        rate: Explanations<RateUnit, R>,
+    },
+    /// Specific force varies: the vehicle is not still.
+    Moving,
+    /// Specific force is not gravity in any unit.
+    Force,
+    /// Specific force is not gravity, and steadier than a sensor so wrong: an acceleration.
+    Accelerating,
+    /// The body turns: gyros and the direction of specific force agree on it.
+    Turning,
+    /// A rate that is no bias and that the accelerometers do not feel.
+    Rate,
+    /// Gyros and accelerometers contradict each other or the latitude.
+    Directions(Signs<R>),
+}
+
+/// How good readings at rest are.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Quality<R> {
+    /// |f| − γ, m/s².
+    pub force_off: R,
+    /// The least that gyros are wrong by, rad/s.
+    pub rate_off: R,
+    /// Standard deviation of roll and pitch, by scatter and by what |f| shows, rad.
+    pub level_sigma: R,
+    /// Standard deviation of the heading, by scatter and by what ω shows, rad; above 1 it is none.
+    pub heading_sigma: R,
+}
+
+/// The judgement of readings at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Judgement<R> {
+    /// How good they are.
+    pub quality: Quality<R>,
+    /// What they contradict, the most telling first.
+    pub contradiction: Option<Contradiction<R>>,
+}
+
+/// Judges readings said to be of a kind and at rest at a place.
+pub fn judge<R: Scalar>(readings: &Readings<R>, kind: Kind, place: &Place<R>) -> Judgement<R> {
+    let Readings { rate_ib_b: rate, specific_force_b: force, .. } = *readings;
+    let norm = force.norm();
+    let up = if norm > R::ZERO { rate.dot(force) / norm } else { R::ZERO };
+    let across = |up: R| {
+        let square = rate.dot(rate) - up * up;
+        if square > R::ZERO { square.sqrt() } else { R::ZERO }
+    };
+    let rate_off = place.least_bias(up, across(up));
+    let quality = quality(readings, place, norm - place.gravity, rate_off);
+    let contradiction = units(readings, kind, place, norm, [up, across(up)])
+        .or_else(|| motion(readings, place, &quality, across(up)))
+        .or_else(|| {
+            let worst = noticed(readings, rate_off);
+            let contradicts =
+                worst && readings.rate_ib_b.norm() < R::of(2.0 * earth::ROTATION_RATE);
+            let fit = R::of(RATE_FIT * earth::ROTATION_RATE);
+            let signs = contradicts.then(|| signs::of(rate, force, place, rate_off, fit));
+            signs.flatten().map(Contradiction::Directions)
+        });
+    Judgement { quality, contradiction }
+}
+
+/// Whether gyros are off by more than scatter and a good gyro's bias explain.
+fn noticed<R: Scalar>(readings: &Readings<R>, rate_off: R) -> bool {
+    rate_off > R::of(RATE_CLOSE * earth::ROTATION_RATE)
+        && rate_off > R::of(6.0) * readings.rate_sigma
+}
+
+fn quality<R: Scalar>(
+    readings: &Readings<R>,
+    place: &Place<R>,
+    force_off: R,
+    rate_off: R,
+) -> Quality<R> {
+    let square = |x: R| x * x;
+    // An error ∇ of an axis tilts by ∇/γ; |f| − γ shows that of one axis of three.
+    let level = (square(readings.force_sigma) + square(force_off)).sqrt() / place.gravity;
+    // Heading: ε_E/(ω_ie cosφ) and tilt·tanφ; ω shows two axes' errors of three.
+    let gyro = (square(readings.rate_sigma) + R::HALF * square(rate_off)).sqrt();
+    let heading = (square(gyro) + square(level * place.rate_up)).sqrt();
+    let none = R::of(1e3);
+    let heading = if heading < place.rate_north * none { heading / place.rate_north } else { none };
+    // Where nothing is left to tell north by, even perfect readings show none.
+    let pole = R::entry(1e-6, 1e-12) * R::of(earth::ROTATION_RATE);
+    Quality {
+        force_off,
+        rate_off,
+        level_sigma: level,
+        heading_sigma: if place.rate_north > pole { heading } else { none },
+    }
+}
+
+/// Units that make sense of what makes none as it stands.
+fn units<R: Scalar>(
+    readings: &Readings<R>,
+    kind: Kind,
+    place: &Place<R>,
+    norm: R,
+    [up, across]: [R; 2],
+) -> Option<Contradiction<R>> {
+    let off = |factor: R| (norm / factor / place.gravity - R::ONE).abs();
+    let limit = R::of(FORCE_LIMIT);
+    let force_units = ForceUnit::ALL.map(|unit| (unit, unit.si()));
+    let force_is_right = off(R::ONE) < limit;
+    let mut force = Explanations::NONE;
+    if !force_is_right {
+        force = Explanations::of(&force_units, kind, readings.interval_s, limit, off);
+        keep_rivals(&mut force);
+    }
+    let rotation = R::of(earth::ROTATION_RATE);
+    // A sign that is wrong as well is a fault of its own.
+    let off = |factor: R| {
+        let [as_is, reversed] =
+            [up, -up].map(|up| place.least_bias(up / factor, across / factor) / rotation);
+        if reversed < as_is { reversed } else { as_is }
+    };
+    // Scatter is in the same wrong unit, and a fit within it says nothing.
+    let blur = readings.rate_sigma * R::of(6.0) / rotation;
+    let fits = |factor: R| off(factor) + blur / factor;
+    let rate_is_right = off(R::ONE) < R::of(RATE_CLOSE) + blur;
+    let mut rate = Explanations::NONE;
+    if !rate_is_right {
+        let rate_units = RateUnit::ALL.map(|unit| (unit, unit.si()));
+        let limit = R::of(RATE_FIT);
+        rate = Explanations::of(&rate_units, kind, readings.interval_s, limit, fits);
+        keep_rivals(&mut rate);
+    }
+    // A header is wrong for both or for none.
+    let (one, other) = (force, rate);
+    if force_is_right {
+        rate.retain(|explanation| explanation.kind == kind);
+    } else if one.iter().any(|f| other.iter().any(|r| r.kind == f.kind)) {
+        rate.retain(|r| one.iter().any(|f| f.kind == r.kind));
+    }
+    if rate_is_right && blur < R::ONE {
+        force.retain(|explanation| explanation.kind == kind);
+    } else if one.iter().any(|f| other.iter().any(|r| r.kind == f.kind)) {
+        force.retain(|f| other.iter().any(|r| r.kind == f.kind));
+    }
+    let explained = !force.is_empty() || !rate.is_empty();
+    explained.then_some(Contradiction::Units { force, rate })
+}
+
+fn keep_rivals<U: Copy, R: Scalar>(explanations: &mut Explanations<U, R>) {
+    let best = explanations.iter().next().map(|best| best.misfit);
+    if let Some(best) = best {
+        explanations.retain(|one| one.misfit < best * R::of(RIVAL) + R::of(0.01));
+    }
+}
+
+/// Motion, where there should be none.
+fn motion<R: Scalar>(
+    readings: &Readings<R>,
+    place: &Place<R>,
+    quality: &Quality<R>,
+    across: R,
+) -> Option<Contradiction<R>> {
+    let (gravity, off) = (place.gravity, quality.force_off.abs());
+    let steady = R::of(STEADY);
+    let rate = readings.rate_ib_b.norm();
+    let turn = readings.turn_b;
+    // Along the vertical accelerometers see nothing: compare what lies across it.
+    let force = readings.specific_force_b;
+    let norm = force.norm();
+    let level = if norm > R::ZERO {
+        let direction = force * (R::ONE / norm);
+        readings.rate_ib_b - direction * readings.rate_ib_b.dot(direction)
+    } else {
+        readings.rate_ib_b
+    };
+    let agree = (level - turn).norm() < R::of(0.3) * across;
+    let turns = across > R::of(20.0 * earth::ROTATION_RATE) && agree;
+    if turns {
+        Some(Contradiction::Turning)
+    } else if readings.force_spread > R::of(SPREAD_LIMIT) * (norm + R::of(FORCE_LIMIT) * gravity) {
+        Some(Contradiction::Moving)
+    } else if off > R::of(FORCE_LIMIT) * gravity {
+        Some(Contradiction::Force)
+    } else if off > R::of(STEADY_FORCE) * gravity && off > steady * readings.force_noise {
+        Some(Contradiction::Accelerating)
+    } else if rate > R::of(RATE_LIMIT) {
+        Some(Contradiction::Rate)
+    } else {
+        None
+    }
+}

@@ -1,0 +1,100 @@
+//! How pieces of a stretch scatter, and how good that makes the mean of all.
+//!
+//! The integral of what is left about the mean starts and ends at 0 (a bridge). White noise makes it
+//! Brownian, of mean square N²T/6, where the mean's variance is N²/T: 6/T² times the bridge's. A vehicle
+//! that rocks comes back, so its bridge does not grow with T, and its mean is as much better; a bias
+//! that wanders makes both larger. So 6/T² times the bridge's mean square serves all three, where
+//! scatter from second to second would say little of a minute's mean.
+//! Source: Revuz & Yor, *Continuous Martingales and Brownian Motion*, ch. I §3 (t(T − t)/T, mean T/6).
+
+use crate::math::real::Scalar;
+use crate::math::vector::Vector;
+
+/// Sums over the pieces of one triad, taken from the first of them for the sake of digits.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) struct Scatter<R> {
+    count: u32,
+    first: Vector<R>,
+    last: Vector<R>,
+    sum: Vector<R>,
+    squares: Vector<R>,
+    /// Squares of the steps from each piece to the next.
+    steps: Vector<R>,
+    /// Σ S_k² and Σ k·S_k of the sums S_k of the first k pieces, k from 1.
+    sum_squares: Vector<R>,
+    sum_moment: Vector<R>,
+    /// Σ S_k.
+    sum_of_sums: Vector<R>,
+}
+
+impl<R: Scalar> Scatter<R> {
+    /// Takes the mean of the next piece.
+    pub fn add(&mut self, value: Vector<R>) {
+        let square = |v: Vector<R>| v.map(|c| c * c);
+        if self.count == 0 {
+            self.first = value;
+        }
+        let value = value - self.first;
+        self.squares = self.squares + square(value);
+        self.steps = self.steps + square(value - self.last);
+        self.last = value;
+        self.sum = self.sum + value;
+        self.count = self.count.saturating_add(1);
+        self.sum_squares = self.sum_squares + square(self.sum);
+        self.sum_of_sums = self.sum_of_sums + self.sum;
+        self.sum_moment = self.sum_moment + self.sum * R::count(self.count);
+    }
+
+    /// Pieces so far.
+    pub fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// Variance about the mean.
+    pub fn variance(&self) -> Vector<R> {
+        if self.count < 2 {
+            return Vector::ZERO;
+        }
+        let n = R::count(self.count);
+        let mean = self.sum * (R::ONE / n);
+        let about = self.squares - mean.zip(self.sum, |mean, sum| mean * sum);
+        about.map(|c| if c > R::ZERO { c / (n - R::ONE) } else { R::ZERO })
+    }
+
+    /// Half the mean square of a step: the Allan variance at the length of a piece.
+    pub fn step_variance(&self) -> Vector<R> {
+        if self.count < 2 {
+            return Vector::ZERO;
+        }
+        self.steps * (R::HALF / R::count(self.count - 1))
+    }
+
+    /// Variance of the mean of all, by the bridge.
+    pub fn variance_of_mean(&self) -> Vector<R> {
+        if self.count < 2 {
+            return Vector::ZERO;
+        }
+        // Σ(S_k − k m)² = ΣS_k² − 2m ΣkS_k + m² Σk²,  Σk² = n(n + 1)(2n + 1)/6.
+        // Of n pieces of variance s² it is s²(n² − 1)/6 on average: variance s²/n is 6/(n(n² − 1)) of it.
+        let n = R::count(self.count);
+        let mean = self.sum * (R::ONE / n);
+        let squares = n * (n + R::ONE) * (n + n + R::ONE) * R::ratio(1, 6);
+        let cross = mean.zip(self.sum_moment, |m, moment| m * moment) * R::TWO;
+        let bridge = self.sum_squares - cross + mean.map(|m| m * m * squares);
+        let share = R::of(6.0) / (n * (n * n - R::ONE));
+        bridge.map(|b| if b > R::ZERO { b * share } else { R::ZERO })
+    }
+
+    /// The slope of the straight line through the pieces, per piece.
+    pub fn slope(&self) -> Vector<R> {
+        if self.count < 2 {
+            return Vector::ZERO;
+        }
+        // Σ(k − k̄)x_k / Σ(k − k̄)²,  Σ(k − k̄)² = n(n² − 1)/12,  Σ k·x_k = (n + 1)S_n − ΣS_k
+        let n = R::count(self.count);
+        let squares = n * (n * n - R::ONE) * R::ratio(1, 12);
+        let sums = self.sum_of_sums;
+        (self.sum * ((n + R::ONE) * R::HALF) - sums) * (R::ONE / squares)
+    }
+}

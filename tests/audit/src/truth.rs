@@ -35,7 +35,7 @@ pub fn fly<'a>(
     let [mut trajectory, mut increments, mut noise] =
         ["trajectory", "increments", "noise"].map(Stage::new);
     let samples = samples.get_mut(..scene.samples() as usize).ok_or(Refused)?;
-    for (sample, measured) in (1..).zip(samples.iter_mut()) {
+    for (sample, measured) in (1_u32..).zip(samples.iter_mut()) {
         let (number, rate_hz) = (u64::from(sample), f64::from(scene.rate_hz));
         let perfect = quadrature.sample(&course, number, rate_hz);
         *measured = emulator.emulate(&mut state, &perfect);

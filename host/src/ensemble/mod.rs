@@ -20,7 +20,7 @@ use crate::progress::Progress;
 use crate::report::number::{parameter, rounded, short};
 use crate::simulate::FlightError;
 use crate::source::{Source, SourceError};
-use crate::theory::{Outside, Theory};
+use crate::theory::Theory;
 use group::{Ground, Unit};
 use statistics::Verdict;
 use std::num::NonZero;
@@ -57,9 +57,6 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let took = begin.elapsed();
     progress.finish();
 
-    if flown.saturated > 0 {
-        theory = theory.ended(Outside::Samples);
-    }
     let comparisons =
         statistics::compare(&flown.readings, |sample| source.time_s(sample), &mut theory);
     file.fill(csv::bytes(&comparisons))?;

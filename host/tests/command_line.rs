@@ -138,6 +138,10 @@ fn usage_errors_name_the_option_and_exit_with_2() {
         ("emulate hard", ["--out", "required"]),
         ("replay --out n.csv", ["--imu", "required"]),
         ("replay --imu i --out n --align 0", ["--align", "above 0"]),
+        ("replay --imu i --out n --align 9 --heading 361", ["--heading", "from -360 to 360"]),
+        ("replay --imu i --out n --heading 3", ["--align", "required"]),
+        ("replay --imu i --out n --units furlong", ["--units", "m/s2 g mg"]),
+        ("replay --imu i --out n --units g,mg", ["--units", "contradicts a word before"]),
         ("run --wobble", ["--wobble", "unexpected"]),
     ] {
         let error = parse(line).expect_err(line);

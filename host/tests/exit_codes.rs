@@ -174,13 +174,18 @@ fn an_emulated_stream_is_replayed_to_where_it_went() {
     fs::write(at("imu.csv"), holed.join("\n")).unwrap();
     expect(folder.path(), &replay("gap.csv", &[]), 1, &["imu.csv:51", "3 samples", "bridge"]);
     assert!(!at("gap.csv").exists());
-    // What is missing while it stands still is told as well.
-    let words = ["imu.csv:51", "3 samples", "bridge"];
-    expect(folder.path(), &replay("gap.csv", &["--align", "1"]), 1, &words);
-    let bridged = schuler(folder.path(), &replay("gap.csv", &["--align", "1", "--gap", "bridge"]));
-    let said = String::from_utf8(bridged.stdout).unwrap();
-    assert!(said.contains("\naligned on 97 samples, 3 missing: roll "), "{said}");
-    assert!(said.starts_with("samples: 100.0000 Hz by least squares over 5997 stamps\n"), "{said}");
     expect(folder.path(), &replay("gap.csv", &["--gap", "bridge"]), 0, &[]);
     assert_eq!(fs::read_to_string(at("gap.csv")).unwrap().lines().count(), 6001);
+    // What is missing while it stands still is told as well.
+    let still = ["emulate", "stationary", "--rate", "100", "--duration", "2", "--out", "imu.csv"];
+    expect(folder.path(), &still, 0, &[]);
+    let imu = fs::read_to_string(at("imu.csv")).unwrap();
+    let holed: Vec<_> =
+        imu.lines().enumerate().filter(|(line, _)| gap(*line)).map(|(_, text)| text).collect();
+    fs::write(at("imu.csv"), holed.join("\n")).unwrap();
+    let words = ["imu.csv:51", "3 samples", "bridge"];
+    expect(folder.path(), &replay("still.csv", &["--align", "1"]), 1, &words);
+    let bridge = replay("still.csv", &["--align", "1", "--gap", "bridge"]);
+    let said = String::from_utf8(schuler(folder.path(), &bridge).stdout).unwrap();
+    assert!(said.contains("\naligned on 97 samples, 3 missing: roll "), "{said}");
 }

@@ -24,7 +24,7 @@ use crate::progress::Progress;
 use crate::report::number::{parameter, rounded, short};
 use crate::simulate::FlightError;
 use crate::source::{Source, SourceError};
-use crate::theory::{Outside, Theory};
+use crate::theory::Theory;
 use group::{Ground, Unit};
 use statistics::Verdict;
 use std::num::NonZero;
@@ -61,9 +61,6 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let took = begin.elapsed();
     progress.finish();
 
-    if flown.saturated > 0 {
-        theory = theory.ended(Outside::Samples);
-    }
     let ended = args.runs - flown.failed.len() as u64;
     // Of a single run there is no spread.
     let readings = if ended > 1 { flown.readings.as_slice() } else { &[] };

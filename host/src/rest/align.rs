@@ -9,6 +9,7 @@ use schuler::alignment::AlignmentError;
 use schuler::alignment::judge::{Judgement, Place, Quality, judge};
 use schuler::alignment::still::{Readings, Still};
 use schuler::alignment::units::Kind;
+use schuler::math::real::Real as _;
 use schuler::math::vector::Vector;
 use schuler::solution::Euler;
 
@@ -64,7 +65,7 @@ pub fn align(
     let attitude = match heading {
         Some(_) => level,
         None => {
-            if !(quality.heading_sigma <= WORST_HEADING) {
+            if !quality.heading_sigma.is_within(WORST_HEADING) {
                 return refuse(no_heading(&readings, &quality, &place));
             }
             let found = still.alignment().attitude();

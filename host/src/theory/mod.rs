@@ -78,11 +78,6 @@ impl Theory {
         Self { share: limits::SHARE.min((runs as f64).sqrt().recip()), ..self }
     }
 
-    /// Of runs in which something happened that it does not know.
-    pub fn ended(self, by: Outside) -> Self {
-        Self { always: Some(by), ..self }
-    }
-
     /// What the linear model does not know of the scene up to a time, s. Times as for [`Theory::at`].
     pub fn outside(&mut self, time_s: f64) -> Option<Outside> {
         if self.always.is_some() || self.course.quiet {

@@ -185,3 +185,22 @@ fn an_ensemble_that_does_not_follow_theory_fails() {
     assert!(said.contains(" of 144 checks failed"), "{said}");
     assert!(folder.path().join("out/limited/ensemble.csv").is_file());
 }
+
+#[test]
+fn what_theory_does_not_know_is_not_comparable() {
+    let folder = tempfile::tempdir().unwrap();
+    for (errors, words) in [
+        ("turn_on_bias_deg_h = 1e5\n", "are no small rotations"),
+        ("angle_random_walk_deg_sqrt_h = 0.01\nquantization_arcsec = 1000\n", "gyro steps of 1000"),
+    ] {
+        let scene = format!(
+            "duration_s = 60\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\nroll_deg = 3\n\
+             [gyro]\n{errors}"
+        );
+        fs::write(folder.path().join("poor.toml"), scene).unwrap();
+        let done = ensemble(folder.path(), "poor.toml --runs 8");
+        let text = String::from_utf8_lossy(&done.stdout);
+        assert_eq!(done.status.code(), Some(0), "{text}");
+        assert!(text.contains("not comparable") && text.contains(words), "{text}");
+    }
+}

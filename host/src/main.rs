@@ -33,6 +33,7 @@ fn main() -> ExitCode {
                 FlightError::Lost { .. }
                 | FlightError::Rejected { .. }
                 | FlightError::Failed { .. }
+                | FlightError::Runs { .. }
                 | FlightError::Stopped(_) => ExitCode::from(1),
             }
         }

@@ -4,10 +4,11 @@ use super::{Every, FlightOptions, NavigatorOptions, load};
 use crate::hil::Manner;
 use crate::hil::device::Device;
 use crate::hil::faults::Rates;
-use crate::input::InputError;
+use crate::input::{Complaint, InputError, Range};
 use crate::scene::Scene;
 use clap::Args;
 use std::path::PathBuf;
+use std::time::Duration;
 
 /// Where `tests/firmware` leaves the navigator for QEMU.
 const IMAGE: &str = "tests/firmware/target/thumbv7em-none-eabihf/release/navigator";
@@ -40,6 +41,9 @@ pub struct HilArgs {
     /// How often a sample that is not answered is sent again before it is given up
     #[arg(long, value_name = "N", default_value = "5")]
     pub retries: u32,
+    /// How long each answer is waited for, seconds [default: 5 at first, then as long as answers take]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = timeout)]
+    pub timeout: Option<Duration>,
     /// Folder for summary.json, drift.csv, drift.png and report.html [default: out/ and the name of the scene]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -66,6 +70,15 @@ impl HilArgs {
     /// How it is flown.
     pub fn manner(&self) -> Manner {
         let faults = self.faults.map(|rates| (rates, self.fault_seed));
-        Manner { retries: self.retries, faults, stream: self.stream }
+        let Self { retries, stream, timeout, .. } = *self;
+        Manner { retries, faults, stream, timeout }
     }
+}
+
+/// The shortest wait that lines know, and one that nobody sits out.
+const TIMEOUT_S: Range = Range::from_to(0.001, 3600.0, "seconds, from 0.001 to 3600");
+
+fn timeout(text: &str) -> Result<Duration, Complaint> {
+    let seconds = text.parse().map_err(|_| Complaint::new("is not a number", TIMEOUT_S.accepted))?;
+    TIMEOUT_S.check(seconds).map(Duration::from_secs_f64)
 }

@@ -1,7 +1,7 @@
 //! Which scenes an ensemble can be flown of.
 
 use crate::input::{Complaint, InputError};
-use crate::scene::{Algorithm, Link, Precision, Scene, SensorErrors, Vertical};
+use crate::scene::{Algorithm, Link, Scene, SensorErrors};
 
 /// The keys of what is drawn from the seed.
 const RANDOM: &str = "a scene with gauss_markov, turn_on_bias, angle_random_walk, velocity_random_walk, \
@@ -15,12 +15,6 @@ pub fn check(scene: &Scene) -> Result<(), InputError> {
     let navigator = &scene.navigator;
     if navigator.algorithm != Algorithm::Taylor {
         return refuse("algorithm", "ensembles fly no textbook", "taylor");
-    }
-    if navigator.precision != Precision::F64 {
-        return refuse("precision", "ensembles fly in double precision", "f64");
-    }
-    if navigator.vertical != Vertical::Free {
-        return refuse("navigator.vertical", "ensembles hold nothing", "free");
     }
     if scene.link != Link::default() {
         let what = "theory knows of no samples lost or late";

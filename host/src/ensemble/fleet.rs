@@ -2,11 +2,11 @@
 //!
 //! A run depends on its number alone, so neither threads nor lanes show in the result.
 
-use super::group::{Ground, Group, Unit};
-use crate::simulate::FlightError;
+use super::group::{Failure, Ground, Group, Unit};
+use super::held::Held;
+use crate::navigator::Unavailable;
+use crate::scene::Vertical;
 use schuler::drift::compare::{Drift, drift};
-use schuler::sample::Increment;
-use schuler::strapdown::mechanization::Rejected;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 
@@ -18,7 +18,7 @@ const STRETCH: u64 = 4096;
 pub struct Reading {
     /// Samples integrated until then.
     pub samples: u64,
-    /// Computed less true, in order of the runs.
+    /// Computed less true, in order of the runs that reached their end.
     pub drifts: Vec<Drift>,
 }
 
@@ -29,10 +29,9 @@ pub struct Flown {
     pub readings: Vec<Reading>,
     /// Samples in which a sensor was at its limit, over all runs.
     pub saturated: u64,
+    /// The runs that did not reach their end, in order.
+    pub failed: Vec<Failure>,
 }
-
-/// A sample that some run refused: its number, the group of the run, and why.
-type Refusal = (u64, usize, Rejected);
 
 /// Flies runs 0 to `runs` − 1, and reads the block ends nearest to `instants` equally spaced times.
 pub fn fly(
@@ -42,7 +41,7 @@ pub fn fly(
     threads: usize,
     instants: u64,
     progress: &dyn Fn(u64),
-) -> Result<Flown, FlightError> {
+) -> Result<Flown, Unavailable> {
     let samples = ground.scene.samples();
     let mut groups = Vec::new();
     for first in (0..runs).step_by(unit.runs()) {
@@ -57,15 +56,20 @@ pub fn fly(
         }
     }
     let mut stops = stops(ground, samples, instants).into_iter().peekable();
-    let mut readings: Vec<Reading> = Vec::new();
+    let mut readings: Vec<(u64, Vec<Option<Drift>>)> = Vec::new();
     let mut done = 0;
     while let Some(&stop) = stops.peek() {
         let end = stop.min(done + STRETCH);
         let time_s = |sample| ground.source.time_s(sample);
         let perfect: Vec<_> =
             (done..end).map(|n| ground.source.perfect(time_s(n), time_s(n + 1))).collect();
-        if let Some((sample, _, why)) = stretch(&mut groups, &perfect, done, threads) {
-            return Err(FlightError::Rejected { sample, time_s: time_s(sample), why });
+        // Navigation lies behind by what a window looks ahead.
+        let integrated = groups.iter().map(|group| group.integrated()).max().unwrap_or(done);
+        let held = (ground.scene.navigator.vertical == Vertical::Held)
+            .then(|| Held::new(ground.source, integrated + 1..=end));
+        stretch(&mut groups, threads, |group| group.fly(&perfect, held.as_ref()));
+        if !groups.iter().any(|group| group.goes_on()) {
+            break;
         }
         done = end;
         progress(done);
@@ -74,11 +78,22 @@ pub fn fly(
             if done == samples {
                 groups.iter_mut().for_each(|group| group.finish());
             }
-            let last = readings.last().map_or(0, |reading| reading.samples);
-            readings.extend(read(ground, &groups).filter(|reading| reading.samples > last));
+            let last = readings.last().map_or(0, |(samples, _)| *samples);
+            readings.extend(read(ground, &groups).filter(|(samples, _)| *samples > last));
         }
     }
-    Ok(Flown { readings, saturated: groups.iter().map(|group| group.saturated()).sum() })
+    let failed: Vec<_> = groups.iter().flat_map(|group| group.failures()).collect();
+    // The same runs at every instant: those that failed are in none.
+    let has_failed = |run: usize| failed.binary_search_by_key(&(run as u64), |f| f.run).is_ok();
+    let readings = readings.into_iter().map(|(samples, drifts)| {
+        let drifts = drifts.into_iter().enumerate().filter(|(run, _)| !has_failed(*run));
+        Reading { samples, drifts: drifts.filter_map(|(_, drift)| drift).collect() }
+    });
+    Ok(Flown {
+        readings: readings.collect(),
+        saturated: groups.iter().map(|group| group.saturated()).sum(),
+        failed,
+    })
 }
 
 /// How many samples are to be taken until each instant's block is complete: increasing, all at last.
@@ -95,23 +110,18 @@ fn stops(ground: &Ground, samples: u64, instants: u64) -> Vec<u64> {
     stops
 }
 
-/// Flies every group over a stretch; of what is refused, the first sample.
+/// Does something with every group, on so many threads.
 fn stretch(
     groups: &mut [Box<dyn Group + '_>],
-    perfect: &[Increment<f64>],
-    done: u64,
     threads: usize,
-) -> Option<Refusal> {
-    let queue = Mutex::new(groups.iter_mut().enumerate());
-    let refusals: Mutex<Vec<Refusal>> = Mutex::default();
+    work: impl Fn(&mut dyn Group) + Sync,
+) {
+    let queue = Mutex::new(groups.iter_mut());
     let work = || {
         loop {
             let next = lock(&queue).next();
-            let Some((number, group)) = next else { break };
-            if let Err(refused) = group.fly(perfect) {
-                let sample = done + refused.taken as u64 + 1;
-                lock(&refusals).push((sample, number, refused.reason));
-            }
+            let Some(group) = next else { break };
+            work(group.as_mut());
         }
     };
     thread::scope(|scope| {
@@ -120,8 +130,6 @@ fn stretch(
         }
         work();
     });
-    let refusals = lock(&refusals);
-    refusals.iter().min_by_key(|(sample, group, _)| (*sample, *group)).copied()
 }
 
 /// What a panic elsewhere left is of no use; the panic itself goes on when its thread is joined.
@@ -129,10 +137,14 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Every run's drift where it stands.
-fn read(ground: &Ground, groups: &[Box<dyn Group + '_>]) -> Option<Reading> {
-    let samples = groups.first()?.integrated();
+/// Samples integrated, and every run's drift there; `None` of those that have failed.
+fn read(
+    ground: &Ground,
+    groups: &[Box<dyn Group + '_>],
+) -> Option<(u64, Vec<Option<Drift>>)> {
+    let samples = groups.iter().find(|group| group.goes_on())?.integrated();
     let truth = ground.source.truth(samples);
     let solutions = groups.iter().flat_map(|group| group.solutions());
-    Some(Reading { samples, drifts: solutions.map(|computed| drift(&computed, &truth)).collect() })
+    let drifts = solutions.map(|computed| computed.map(|computed| drift(&computed, &truth)));
+    Some((samples, drifts.collect()))
 }

@@ -1,37 +1,51 @@
 //! Runs that fly together on one core: abreast where a window is compiled for lanes, else one.
 
-use crate::lanes::abreast::{Abreast, Packed, Refused, pack};
+use super::alone::Alone;
+use super::held::Held;
+use super::pack::Pack;
+use crate::lanes::abreast::{Abreast, Packed};
 use crate::lanes::pack::Lanes;
 use crate::lanes::{InLanes, Registers, in_registers};
-use crate::navigator::{self, Navigate, Unavailable};
+use crate::navigator::{self, Unavailable};
 use crate::plan::Plan;
-use crate::scene::{Frame, Scene};
+use crate::scene::{Frame, Precision, Scene};
 use crate::simulate;
-use crate::source::{Samples, Source};
-use crate::timing;
+use crate::source::Source;
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::Output;
 use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window};
-use std::array;
+use schuler::strapdown::mechanization::Rejected;
+use schuler::strapdown::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window as _};
 use std::ops::Range;
 
-/// Samples that pass from the sensors to the navigator at once: they stay in the first cache.
-const PIECE: usize = 64;
+/// A run that could not go on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// Its number, from 0.
+    pub run: u64,
+    /// The sample that it did not take, from 1.
+    pub sample: u64,
+    /// Why not.
+    pub why: Rejected,
+}
 
 /// Runs of an ensemble, flown together.
 pub trait Group: Send {
-    /// Takes the perfect increments of the next samples; stops before one that is refused in any run.
-    fn fly(&mut self, perfect: &[Increment<f64>]) -> Result<(), Refused>;
+    /// Takes the perfect increments of the next samples, and the vertical where it is held. A run that
+    /// refuses a sample has failed; the others go on.
+    fn fly(&mut self, perfect: &[Increment<f64>], held: Option<&Held>);
+    /// The runs that have failed.
+    fn failures(&self) -> Vec<Failure>;
+    /// Whether there is a run that has not.
+    fn goes_on(&self) -> bool;
     /// Integrates what is pending: the samples are at their end.
     fn finish(&mut self);
     /// Samples of each run that were integrated so far.
     fn integrated(&self) -> u64;
-    /// Navigation of each run at the end of the last block.
-    fn solutions(&self) -> Vec<Solution<f64>>;
+    /// Navigation of each run at the end of the last block; `None` of those that have failed.
+    fn solutions(&self) -> Vec<Option<Solution<f64>>>;
     /// Samples so far in which a sensor was at its limit, over all runs.
     fn saturated(&self) -> u64;
     /// What navigation alone costs, ns per sample and run, over perfect increments after those `before`.
@@ -96,6 +110,8 @@ impl<'a> Ground<'a> {
         runs: Range<u64>,
     ) -> Result<Option<Box<dyn Group + 'a>>, Unavailable> {
         match unit {
+            // Lanes are of double precision.
+            Unit::In(_) if self.scene.navigator.precision != Precision::F64 => Ok(None),
             Unit::In(registers) => {
                 in_registers(registers, Start { ground: self, runs }).unwrap_or(Ok(None))
             }
@@ -109,7 +125,7 @@ impl<'a> Ground<'a> {
                     interval_s,
                     &self.initial,
                 )?;
-                Ok(Some(Box::new(Alone { navigator, stream: self.source.start(runs.start) })))
+                Ok(Some(Box::new(Alone::new(navigator, self.source, runs.start))))
             }
         }
     }
@@ -146,8 +162,7 @@ impl<'a> Ground<'a> {
                         self.plan.order,
                         &[self.initial; N],
                     )?;
-                    let streams = runs.map(|run| self.source.start(run)).collect();
-                    return Ok(Some(Box::new(Pack { abreast, streams, measured: Vec::new() })));
+                    return Ok(Some(Box::new(Pack::new(abreast, self.source, runs))));
                 })+
             };
         }
@@ -166,114 +181,5 @@ impl<'a> InLanes for Start<'_, 'a> {
     type Output = Result<Option<Box<dyn Group + 'a>>, Unavailable>;
     fn run<P: Lanes<N>, const N: usize>(self) -> Self::Output {
         self.ground.abreast::<P, N>(self.runs)
-    }
-}
-
-/// Runs abreast; with fewer than lanes, the last one flies in the idle ones too.
-struct Pack<'a, F: Packed<N>, W: Window, const N: usize> {
-    abreast: Abreast<F, W, N>,
-    streams: Vec<Samples<'a>>,
-    measured: Vec<Increment<F::Real>>,
-}
-
-impl<F: Packed<N>, W: Window, const N: usize> Pack<'_, F, W, N> {
-    fn measure(&mut self, perfect: &[Increment<f64>]) {
-        self.measured.clear();
-        for perfect in perfect {
-            let mut last = *perfect;
-            let lanes: [_; N] = array::from_fn(|lane| {
-                if let Some(stream) = self.streams.get_mut(lane) {
-                    last = stream.sense(perfect);
-                }
-                last
-            });
-            self.measured.push(pack(&lanes));
-        }
-    }
-}
-
-impl<F, W, const N: usize> Group for Pack<'_, F, W, N>
-where
-    F: Packed<N>,
-    W: Window,
-    Self: Send,
-{
-    fn fly(&mut self, perfect: &[Increment<f64>]) -> Result<(), Refused> {
-        for (piece, perfect) in perfect.chunks(PIECE).enumerate() {
-            self.measure(perfect);
-            self.abreast
-                .push(&self.measured)
-                .map_err(|refused| Refused { taken: piece * PIECE + refused.taken, ..refused })?;
-        }
-        Ok(())
-    }
-
-    fn finish(&mut self) {
-        self.abreast.finish();
-    }
-
-    fn integrated(&self) -> u64 {
-        self.abreast.integrated()
-    }
-
-    fn solutions(&self) -> Vec<Solution<f64>> {
-        let all = self.abreast.output();
-        all.iter().take(self.streams.len()).map(Output::wide).collect()
-    }
-
-    fn saturated(&self) -> u64 {
-        self.streams.iter().map(Samples::saturated).sum()
-    }
-
-    fn navigation_ns(&mut self, before: &[Increment<f64>], perfect: &[Increment<f64>]) -> f64 {
-        // What cannot be right was refused in the flight itself.
-        let _ = self.fly(before);
-        self.measure(perfect);
-        timing::per_sample((perfect.len() * N) as u64, &mut || {
-            let mut abreast = self.abreast;
-            let _ = abreast.push(&self.measured);
-            std::hint::black_box(&abreast);
-        })
-    }
-}
-
-/// One run by itself.
-struct Alone<'a> {
-    navigator: Box<dyn Navigate>,
-    stream: Samples<'a>,
-}
-
-impl Alone<'_> {
-    fn measure(&mut self, perfect: &[Increment<f64>]) -> Vec<Increment<f64>> {
-        perfect.iter().map(|perfect| self.stream.sense(perfect)).collect()
-    }
-}
-
-impl Group for Alone<'_> {
-    fn fly(&mut self, perfect: &[Increment<f64>]) -> Result<(), Refused> {
-        let measured = self.measure(perfect);
-        self.navigator.fly(&measured)
-    }
-
-    fn finish(&mut self) {
-        self.navigator.finish(&mut |_, _| {});
-    }
-
-    fn integrated(&self) -> u64 {
-        self.navigator.integrated()
-    }
-
-    fn solutions(&self) -> Vec<Solution<f64>> {
-        vec![self.navigator.solution()]
-    }
-
-    fn saturated(&self) -> u64 {
-        self.stream.saturated()
-    }
-
-    fn navigation_ns(&mut self, before: &[Increment<f64>], perfect: &[Increment<f64>]) -> f64 {
-        let (before, measured) = (self.measure(before), self.measure(perfect));
-        let mut pass = self.navigator.fly_unread(&before, &measured);
-        timing::per_sample(measured.len() as u64, &mut pass)
     }
 }

@@ -3,11 +3,15 @@
 //! Runs differ in what is drawn from the seed: turn-on biases, Gauss-Markov processes, noise. All fly
 //! the same motion, whose truth and perfect increments are worked out once.
 
+mod alone;
 mod check;
 pub mod csv;
 pub mod fleet;
 pub mod group;
+pub mod held;
+mod pack;
 pub mod pace;
+pub mod rounding;
 pub mod statistics;
 pub mod table;
 
@@ -56,10 +60,23 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let took = begin.elapsed();
     progress.finish();
 
-    let comparisons =
-        statistics::compare(&flown.readings, |sample| source.time_s(sample), &mut theory);
+    let ended = args.runs - flown.failed.len() as u64;
+    // Of a single run there is no spread.
+    let readings = if ended > 1 { flown.readings.as_slice() } else { &[] };
+    let mut comparisons =
+        statistics::compare(readings, |sample| source.time_s(sample), &mut theory);
+    let rounding = rounding::rounding(&ground, readings, threads, INSTANTS)?;
+    let left_out = rounding::leave_out(&mut comparisons, &rounding, ended);
     file.fill(csv::bytes(&comparisons))?;
-    let mut text = table::table(&comparisons, args.runs);
+    let mut text = table::table(&comparisons, ended);
+    if left_out > 0 {
+        let (precision, all) = (scene.navigator.precision.name(), comparisons.len());
+        text += &format!(
+            "not compared: {left_out} of {all}, where rounding in {precision} is above a third of the mean's \
+             standard error\n"
+        );
+    }
+    text += &table::failures(&flown.failed, scene.seed, args.runs, |sample| source.time_s(sample));
     if flown.saturated > 0 {
         let samples = flown.saturated;
         text +=
@@ -69,6 +86,9 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     text += &format!("written to {}\n", directory.display());
     say(&text)?;
     match Verdict::new(&comparisons) {
+        _ if !flown.failed.is_empty() => {
+            Err(FlightError::Runs { failed: flown.failed.len(), runs: args.runs })
+        }
         Verdict { failed: 0, .. } => Ok(()),
         Verdict { failed, tests, .. } => Err(FlightError::Failed { failed, checks: tests }),
     }

@@ -1,5 +1,6 @@
 //! The ensemble beside theory, as a table.
 
+use super::group::Failure;
 use super::statistics::{Comparison, RISK, Test, Verdict};
 use crate::flight::Nine;
 use crate::report::number::{parameter, rounded, short};
@@ -29,6 +30,31 @@ pub fn table(comparisons: &[Comparison], runs: u64) -> String {
         "chance alone: 0 ± 1",
     );
     text + "\n" + &verdict(comparisons)
+}
+
+/// Runs that are named, at most.
+const NAMED: usize = 20;
+
+/// The runs that did not reach their end: which, where and why.
+pub fn failures(
+    failed: &[Failure],
+    seed: u64,
+    runs: u64,
+    time_s: impl Fn(u64) -> f64,
+) -> String {
+    if failed.is_empty() {
+        return String::new();
+    }
+    let ended = runs - failed.len() as u64;
+    let mut text = format!("of the {ended} runs of {runs} that reached their end:\n");
+    for Failure { run, sample, why } in failed.iter().take(NAMED) {
+        let time_s = time_s(*sample);
+        text += &format!("run {run} of seed {seed} ended at sample {sample}, {time_s} s: {why}\n");
+    }
+    if failed.len() > NAMED {
+        text += &format!("and {} more\n", failed.len() - NAMED);
+    }
+    text
 }
 
 fn at_end(end: &[Comparison]) -> String {

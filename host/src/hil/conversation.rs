@@ -1,9 +1,10 @@
 //! Requests and their answers: sent again when no answer comes, and told apart when too many do.
 
 use super::channel::{Broken, Channel};
+use super::patience::Patience;
 use super::reply::Reply;
 use super::tally::Tally;
-use super::wait::{PATIENCE, Wait};
+use super::wait::Wait;
 use schuler::link::counters::Counters;
 use schuler::link::decoder::Decoder;
 use schuler::link::frame::{Header, MOST_ENCODED, TooLong, encode};
@@ -12,7 +13,7 @@ use schuler::link::refusal::Refusal;
 use schuler::link::sequence::{Arrival, Sequence};
 use std::collections::VecDeque;
 use std::ops::RangeInclusive;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How often what a flight cannot do without is sent again, at least.
 const INSISTING: u32 = 10;
@@ -38,7 +39,7 @@ pub struct Conversation {
     inbox: VecDeque<u8>,
     retries: u32,
     /// How long an answer is waited for.
-    patience: Duration,
+    patience: Patience,
     /// Sequence number of the last frame sent.
     sent: u32,
     received: Sequence,
@@ -70,7 +71,7 @@ impl Conversation {
             decoder: Decoder::default(),
             inbox: VecDeque::new(),
             retries,
-            patience: PATIENCE,
+            patience: Patience::default(),
             sent: 0,
             received: Sequence::default(),
             boots: Vec::new(),
@@ -81,7 +82,7 @@ impl Conversation {
     }
 
     /// With another patience than the usual one.
-    pub fn patient(self, patience: Duration) -> Self {
+    pub fn patient(self, patience: Patience) -> Self {
         Self { patience, ..self }
     }
 
@@ -112,7 +113,7 @@ impl Conversation {
 
     /// How long a greeting is waited for.
     pub fn greeting_lasts(&self) -> Duration {
-        self.patience * GREETINGS
+        (0..GREETINGS).map(|attempt| self.patience.at(attempt)).sum()
     }
 
     /// Asks what a flight cannot do without.
@@ -135,7 +136,8 @@ impl Conversation {
         for attempt in 0..=retries {
             self.send(request, time_ns)?;
             self.tally.resent += u64::from(attempt > 0);
-            let mut wait = Wait::new(self.patience);
+            let asked = Instant::now();
+            let mut wait = Wait::new(self.patience.at(attempt));
             while let Some(heard) = self.hear(&mut wait)? {
                 let is_answer = (first..=self.sent).contains(&heard.answers);
                 if heard.is_new_boot {
@@ -149,6 +151,9 @@ impl Conversation {
                 if is_answer && heard.is_new {
                     let is_overdue = heard.answers != self.sent && !heard.is_of_late;
                     self.tally.answered(attempt, is_overdue);
+                    if attempt == 0 {
+                        self.patience.learn(asked.elapsed());
+                    }
                     return Ok(Outcome::Answered(heard.reply));
                 }
                 self.note(&heard);

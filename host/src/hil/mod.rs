@@ -16,6 +16,7 @@ pub mod injector;
 pub mod lockstep;
 pub mod pace;
 pub mod parted;
+pub mod patience;
 pub mod reply;
 pub mod serve;
 pub mod tally;
@@ -40,6 +41,7 @@ use faults::Rates;
 use injector::Injector;
 use lockstep::{Ended, Lockstep, Log, Parts};
 use pace::Pace;
+use patience::{PATIENCE, Patience};
 use reply::Reply;
 use schuler::link::configuration::Configuration;
 use schuler::link::message::VERSION;
@@ -47,6 +49,7 @@ use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
 use std::path::{Path, PathBuf};
 use std::sync::PoisonError;
+use std::time::Duration;
 use twin::{Beginning, Twin};
 
 /// How often a target is greeted that is just being switched on.
@@ -61,6 +64,8 @@ pub struct Manner {
     pub faults: Option<(Rates, u64)>,
     /// In real time.
     pub stream: bool,
+    /// How long each answer is waited for; by the round trips so far, unless given.
+    pub timeout: Option<Duration>,
 }
 
 /// Flies a scene with a target as far as it goes, prints the drift and the link's table, and writes the
@@ -88,7 +93,7 @@ fn fly_to_files(
 ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
     let channel = args.device.open(&args.image)?;
     let device = args.device.to_string();
-    let met = meet(channel, args.retries, &device)?;
+    let met = meet(channel, &args.manner(), &device)?;
     let progress = Progress::new(scene.samples());
     let mut files = FlightFiles::create(directory, args.every, args.no_report)?;
     let flown =
@@ -219,12 +224,25 @@ fn parts(
 }
 
 /// Greets the target at the end of a channel; `device` is what users call it.
-pub fn meet(channel: Box<dyn Channel>, retries: u32, device: &str) -> Result<Met, FlightError> {
-    let mut conversation = Conversation::new(channel, retries);
+pub fn meet(
+    channel: Box<dyn Channel>,
+    manner: &Manner,
+    device: &str,
+) -> Result<Met, FlightError> {
+    // Who is just being switched on takes its time.
+    let greeting = Patience::Fixed(manner.timeout.unwrap_or_default().max(PATIENCE));
+    let mut conversation = Conversation::new(channel, manner.retries).patient(greeting);
     for _ in 0..GREETINGS {
         match conversation.greet().map_err(stopped)? {
             Outcome::Answered(Reply::Hello { version: VERSION, offers }) => {
-                return Ok(Met { conversation, offers });
+                // Where faults are put in, no answer is waited for that does not come, and the clock
+                // must have no say in what happens.
+                let patience = match (manner.timeout, manner.faults) {
+                    (Some(timeout), _) => Patience::Fixed(timeout),
+                    (None, Some(_)) => Patience::Fixed(PATIENCE),
+                    (None, None) => Patience::default(),
+                };
+                return Ok(Met { conversation: conversation.patient(patience), offers });
             }
             Outcome::Answered(Reply::Hello { version, .. }) => {
                 let what = format!("{device} speaks version {version} of the protocol");

@@ -1,9 +1,6 @@
-//! How long an answer is waited for, whatever comes in its place.
+//! A wait for an answer, whatever comes in its place.
 
 use std::time::{Duration, Instant};
-
-/// Far longer than any answer takes.
-pub const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The shortest wait that a line is asked for: some take 0 for no limit.
 const LEAST: Duration = Duration::from_millis(1);

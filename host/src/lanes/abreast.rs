@@ -13,7 +13,7 @@ use schuler::solution::Solution;
 use schuler::strapdown::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::Frame;
 use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::mechanization::{Rejected, StartError};
+use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
 use schuler::strapdown::navigator::{State, Strapdown};
 use schuler::strapdown::window::Window;
 use std::array;
@@ -98,6 +98,43 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         Ok(())
     }
 
+    /// Why each run alone would not take a sample, which some lane has refused.
+    pub fn refusals(&self, sample: &Increment<P>) -> [Option<Rejected>; N] {
+        let (mut states, samples) = (self.states().into_iter(), unpack(sample).into_iter());
+        array::from_fn(|_| {
+            let (mut state, sample) = (states.next()?, samples.next()?);
+            self.one.push(&mut state, sample).err()
+        })
+    }
+
+    /// Lets a lane go on as a copy of another one.
+    pub fn replace(&mut self, lane: usize, by: usize) {
+        let mut states = self.states();
+        if let Some(&other) = states.get(by)
+            && let Some(state) = states.get_mut(lane)
+        {
+            *state = other;
+        }
+        self.apart = states;
+        if self.joined {
+            join(&mut self.together, &mut self.apart);
+        }
+    }
+
+    /// Sets height (m) and vertical velocity (down, m/s) of every run.
+    pub fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected> {
+        if self.joined {
+            let vertical = [altitude_m, down_m_s].map(P::of);
+            return P::compiled(Hold {
+                strapdown: &self.lanes,
+                state: &mut self.together,
+                vertical,
+            });
+        }
+        let hold = |state| self.one.hold_vertical(state, altitude_m, down_m_s);
+        self.apart.iter_mut().try_for_each(hold)
+    }
+
     /// Integrates what is pending: the streams are at their end.
     pub fn finish(&mut self) {
         self.apart = self.states();
@@ -167,6 +204,22 @@ impl<F: Frame, W: Window> Task for Push<'_, F, W> {
     }
 }
 
+/// A vertical to hold.
+struct Hold<'a, F: Frame, W: Window> {
+    strapdown: &'a Strapdown<F, W>,
+    state: &'a mut State<F, W>,
+    vertical: [F::Real; 2],
+}
+
+impl<F: Frame, W: Window> Task for Hold<'_, F, W> {
+    type Output = Result<(), Rejected>;
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let [altitude, down] = self.vertical;
+        self.strapdown.hold_vertical(self.state, altitude, down)
+    }
+}
+
 /// Whose a field of lanes is: every count is of all runs, and lanes follow one another.
 struct Turns(usize);
 
@@ -227,6 +280,17 @@ pub fn pack<P: Lanes<N>, const N: usize>(samples: &[Increment<f64>; N]) -> Incre
         }
     };
     Increment { angle_b: join(|s| s.angle_b), velocity_b: join(|s| s.velocity_b) }
+}
+
+/// The same where a lane's sample is replaced by that of another.
+pub fn replaced<P: Lanes<N>, const N: usize>(
+    sample: &Increment<P>,
+    lane: usize,
+    by: usize,
+) -> Increment<P> {
+    let mut samples = unpack(sample);
+    samples[lane] = samples[by];
+    pack(&samples)
 }
 
 /// The sample of every run.

@@ -38,6 +38,13 @@ pub enum FlightError {
         /// Of how many.
         checks: usize,
     },
+    /// Runs of an ensemble that did not reach their end.
+    Runs {
+        /// How many.
+        failed: usize,
+        /// Of how many.
+        runs: u64,
+    },
     /// A recording, or a device, cannot be navigated beyond this place.
     Stopped(InputError),
 }
@@ -57,6 +64,9 @@ impl fmt::Display for FlightError {
                  navigator.gap = \"bridge\" would fill it from its neighbours"
             ),
             Self::Failed { failed, checks } => write!(f, "{failed} of {checks} checks failed"),
+            Self::Runs { failed, runs } => {
+                write!(f, "{failed} of {runs} runs did not reach their end")
+            }
             Self::Rejected { sample, time_s, why } => {
                 write!(f, "sample {sample} at {time_s} s: {why}")
             }

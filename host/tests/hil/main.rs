@@ -24,7 +24,7 @@ fn scene(name: &str, seconds: f64) -> Scene {
 
 /// With faults, by seed.
 fn manner(faults: &str, seed: u64, retries: u32) -> Manner {
-    Manner { retries, faults: Some((Rates::parse(faults).unwrap(), seed)), stream: false }
+    Manner { retries, faults: Some((Rates::parse(faults).unwrap(), seed)), ..Manner::default() }
 }
 
 /// Flies a scene with a target, and what happened on the link.
@@ -34,7 +34,7 @@ fn fly(
     manner: &Manner,
 ) -> (Result<Flight, FlightError>, Ended) {
     let log = Log::default();
-    let flown = hil::meet(Box::new(channel), manner.retries, "target")
+    let flown = hil::meet(Box::new(channel), manner, "target")
         .and_then(|met| hil::fly(scene, met, manner, &log, &mut |_| Ok(()), &|_| ()));
     let ended = log.lock().unwrap().clone();
     (flown, ended)

@@ -10,6 +10,7 @@ use schuler_host::hil::channel::{Broken, Channel};
 use schuler_host::hil::conversation::{Conversation, Outcome};
 use schuler_host::hil::in_process::InProcess;
 use schuler_host::hil::injector::Injector;
+use schuler_host::hil::patience::{PATIENCE, Patience};
 use schuler_host::scene::Gap;
 use std::sync::{Arc, Mutex};
 use std::thread;
@@ -99,7 +100,7 @@ fn a_line_that_talks_without_end_is_not_listened_to_without_end() {
     for says in [b"$GPGGA,123519,4807.038,N\r\n".to_vec(), hello] {
         let patience = Duration::from_millis(20);
         let chatter = || Chatter { says: says.clone(), left: 2000 };
-        let mut conversation = Conversation::new(Box::new(chatter()), 1).patient(patience);
+        let mut conversation = Conversation::new(Box::new(chatter()), 1).patient(Patience::Fixed(patience));
         assert_eq!(conversation.greet(), Ok(Outcome::Silence));
 
         let mut injector = Injector::new(chatter(), Default::default(), 1);
@@ -113,4 +114,50 @@ fn a_line_that_talks_without_end_is_not_listened_to_without_end() {
 fn greeting() -> Vec<u8> {
     let header = Header { kind: Kind::Greet, sequence: 1, time_ns: 0 };
     encode(&header, &mut [0; MOST_ENCODED], |_| ()).unwrap().to_vec()
+}
+
+/// A target on a line that loses every tenth frame; it notes how long it is waited for in vain.
+struct Lossy {
+    target: InProcess<Every>,
+    frames: u32,
+    lost: bool,
+    waits: Arc<Mutex<Vec<Duration>>>,
+}
+
+impl Channel for Lossy {
+    fn send(&mut self, frame: &[u8]) -> Result<(), Broken> {
+        self.frames += 1;
+        self.lost = self.frames.is_multiple_of(10);
+        if self.lost { Ok(()) } else { self.target.send(frame) }
+    }
+    fn receive(&mut self, into: &mut Vec<u8>, patience: Duration) -> Result<(), Broken> {
+        if self.lost {
+            self.waits.lock().unwrap().push(patience);
+            return Ok(());
+        }
+        self.target.receive(into, patience)
+    }
+}
+
+#[test]
+fn a_lost_frame_is_waited_for_as_long_as_answers_take() {
+    let waits = |timeout| {
+        let waits = Arc::new(Mutex::new(Vec::new()));
+        let (target, frames, lost) = (InProcess::new(), 0, false);
+        let line = Lossy { target, frames, lost, waits: waits.clone() };
+        let manner = Manner { retries: 5, timeout, ..Manner::default() };
+        let (flown, ended) = fly(&scene("paper", 60.0), line, &manner);
+        flown.unwrap();
+        let waits = waits.lock().unwrap().clone();
+        assert_eq!((ended.tally.resent, ended.tally.recovered), (133, 133));
+        assert_eq!(waits.len(), 133);
+        waits
+    };
+    // Answers that are there at once do not take a second, whatever else a machine does now and then.
+    let mut waits_by_trips = waits(None);
+    waits_by_trips.sort();
+    let median = waits_by_trips[waits_by_trips.len() / 2];
+    assert!(median < PATIENCE / 5, "{waits_by_trips:?}");
+    let fixed = Duration::from_millis(70);
+    assert!(waits(Some(fixed)).iter().all(|&wait| wait <= fixed));
 }

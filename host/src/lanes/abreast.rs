@@ -100,7 +100,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
 
     /// Why each run alone would not take a sample, which some lane has refused.
     pub fn refusals(&self, sample: &Increment<P>) -> [Option<Rejected>; N] {
-        let (mut states, samples) = (self.states().into_iter(), unpack(sample).into_iter());
+        let (mut states, mut samples) = (self.states().into_iter(), unpack(sample).into_iter());
         array::from_fn(|_| {
             let (mut state, sample) = (states.next()?, samples.next()?);
             self.one.push(&mut state, sample).err()

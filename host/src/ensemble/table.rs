@@ -119,6 +119,9 @@ fn every_instant(
 fn verdict(comparisons: &[Comparison]) -> String {
     let Verdict { tests, failed, worst } = Verdict::new(comparisons);
     let confidence = parameter(100.0 * (1.0 - RISK));
+    if comparisons.is_empty() {
+        return "too few runs reached their end: nothing to compare\n".to_owned();
+    }
     let Some((place, which, probability)) = worst else {
         return "theory sees nothing scatter: nothing to compare\n".to_owned();
     };

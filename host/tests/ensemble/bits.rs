@@ -7,9 +7,12 @@ use schuler_host::ensemble::fleet::{self, Flown};
 use schuler_host::ensemble::group::{Ground, Unit};
 use schuler_host::lanes::Registers;
 use schuler_host::navigator;
-use schuler_host::scene::{Frame, Scene, WindowShape};
-use schuler_host::simulate::{self, FlightError};
+use schuler_host::scene::{self, Frame, Precision, Scene, WindowShape};
+use schuler_host::navigator::Unavailable;
+use schuler_host::scene::Vertical;
+use schuler_host::simulate;
 use schuler_host::source::Source;
+use std::collections::HashMap;
 
 /// Packs of eight, or of four, the last one with idle lanes.
 const RUNS: u64 = 10;
@@ -23,7 +26,7 @@ fn all_bits(flown: &Flown) -> Vec<(u64, Vec<[u64; 9]>)> {
     flown.readings.iter().map(|r| (r.samples, r.drifts.iter().map(bits).collect())).collect()
 }
 
-fn fly(scene: &Scene, unit: Unit, threads: usize) -> Result<Flown, FlightError> {
+fn fly(scene: &Scene, unit: Unit, threads: usize) -> Result<Flown, Unavailable> {
     let source = Source::new(scene, false).unwrap();
     fleet::fly(&Ground::new(scene, &source), RUNS, unit, threads, 3, &|_| {})
 }
@@ -77,6 +80,59 @@ fn every_run_has_its_own_bits_in_every_unit() {
     }
 }
 
+/// The ends of a held run's blocks, as `schuler run` flies one.
+fn held_alone(scene: &Scene, run: u64) -> HashMap<u64, [u64; 9]> {
+    let source = Source::new(scene, false).unwrap();
+    let ground = Ground::new(scene, &source);
+    let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
+    let mut navigator =
+        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial)
+            .unwrap();
+    let mut ends = HashMap::new();
+    let mut stream = source.start(run);
+    for _ in 0..scene.samples() {
+        let before = navigator.integrated();
+        navigator.push(&stream.advance().unwrap(), &mut |_, _| {}).unwrap();
+        let reached = navigator.integrated();
+        if reached != before {
+            let truth = source.truth(reached);
+            navigator.hold_vertical(truth.position.altitude.hi, truth.velocity_ned.z.hi).unwrap();
+            ends.insert(reached, bits(&drift(&navigator.solution(), &truth)));
+        }
+    }
+    navigator.finish(&mut |_, _| {});
+    let samples = scene.samples();
+    ends.insert(samples, bits(&drift(&navigator.solution(), &source.truth(samples))));
+    ends
+}
+
+#[test]
+fn a_held_run_has_its_own_bits_in_every_unit() {
+    let mut scene = erring("hard", 1.63);
+    scene.navigator.vertical = Vertical::Held;
+    for (precision, (history, block, lookahead)) in [
+        (Precision::F64, (2, 4, 2)),
+        (Precision::F64, (0, 20, 0)),
+        (Precision::F64, (0, 12, 0)),
+        (Precision::F32, (2, 4, 2)),
+    ] {
+        for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+            scene.navigator.window = Some(WindowShape { history, block, lookahead });
+            (scene.navigator.frame, scene.navigator.precision) = (frame, precision);
+            let expected: Vec<_> = (0..RUNS).map(|run| held_alone(&scene, run)).collect();
+            for &unit in Unit::ALL {
+                let what = format!("{history},{block},{lookahead} {frame:?} {unit:?}");
+                let flown = all_bits(&fly(&scene, unit, 2).unwrap());
+                assert_eq!(flown.last().map(|(samples, _)| *samples), Some(163), "{what}");
+                for (samples, drifts) in flown {
+                    let alone: Vec<_> = expected.iter().map(|ends| ends[&samples]).collect();
+                    assert_eq!(drifts, alone, "{what} at {samples}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn lanes_are_used_where_the_window_has_them() {
     let mut scene = erring("hard", 1.0);
@@ -119,18 +175,42 @@ fn the_first_run_is_that_of_schuler_run() {
 }
 
 #[test]
-fn the_first_sample_that_any_run_refuses_is_named() {
+fn where_all_runs_fail_each_says_where() {
     // Toward the pole, where the local-level frame ends.
     let mut scene = erring("polar", 600.0);
     scene.navigator.frame = Frame::LocalLevel;
-    let named = |unit, threads| match fly(&scene, unit, threads) {
-        Err(FlightError::Rejected { sample, .. }) => sample,
-        other => panic!("{other:?}"),
+    let failed = |unit, threads| {
+        let flown = fly(&scene, unit, threads).unwrap();
+        assert!(flown.readings.iter().all(|reading| reading.drifts.is_empty()));
+        flown.failed
     };
-    let sample = named(Unit::Alone, 1);
-    assert!(sample > 1000, "{sample}");
+    let alone = failed(Unit::Alone, 1);
+    assert!(alone.iter().map(|failure| failure.run).eq(0..RUNS), "{alone:?}");
+    assert!(alone.iter().all(|failure| failure.sample > 1000), "{alone:?}");
     for &unit in Unit::ALL {
-        assert_eq!((named(unit, 1), named(unit, 2)), (sample, sample), "{unit:?}");
+        assert_eq!([failed(unit, 1), failed(unit, 2)], [alone.clone(), alone.clone()], "{unit:?}");
+    }
+}
+
+#[test]
+fn runs_that_fail_do_not_show_in_the_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("turns.toml");
+    std::fs::write(&file, super::TURNS).unwrap();
+    let scene = scene::load(file.to_str().unwrap()).unwrap();
+    let source = Source::new(&scene, false).unwrap();
+    let ground = Ground::new(&scene, &source);
+    // The last pack of each width has idle lanes.
+    let flown = |unit| fleet::fly(&ground, 37, unit, 2, 3, &|_| {}).unwrap();
+    let alone = flown(Unit::Alone);
+    let failed: Vec<_> = alone.failed.iter().map(|failure| failure.run).collect();
+    assert!(failed.len() > 1 && failed.len() < 20, "{failed:?}");
+    assert!(alone.failed.iter().any(|failure| failure.sample > 8), "{:?}", alone.failed);
+    assert_eq!(alone.readings.last().unwrap().drifts.len(), 37 - failed.len());
+    for &unit in Unit::ALL {
+        let flown = flown(unit);
+        assert_eq!(flown.failed, alone.failed, "{unit:?}");
+        assert_eq!(all_bits(&flown), all_bits(&alone), "{unit:?}");
     }
 }
 

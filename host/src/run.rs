@@ -37,8 +37,8 @@ fn fly(
     if let Some(much) = large_table(&directory.join("drift.csv"), rows, columns) {
         eprintln!("{much}");
     }
-    let (flight, end) =
-        simulation.fly_as_far(&mut |instant| files.row(instant), &|sample| progress.reach(sample))?;
+    let (flight, end) = simulation
+        .fly_as_far(&mut |instant| files.row(instant), &|sample| progress.reach(sample))?;
     progress.finish();
     files.finish(&flight)?;
     Ok((flight, end))

@@ -18,11 +18,11 @@ use crate::theory::Theory;
 use crate::timing;
 use crate::units::{ARCSECOND, DEGREE};
 use log::Log;
-use std::cell::{Cell, RefCell};
 use schuler::drift::compare::{Drift, drift};
 use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
+use std::cell::{Cell, RefCell};
 
 /// A scene ready to be flown: all that can be wrong with it has been found.
 pub struct Simulation<'a> {

@@ -99,7 +99,8 @@ mod signals {
             assert_eq!(done.status.signal(), Some(signal.as_raw()), "{line}: {done:?}");
             assert_eq!(names(folder.path()), [""; 0], "{line}");
             let said = String::from_utf8(done.stderr).unwrap();
-            let is_said = said.contains("schuler: stopped by SIG") && said.contains("nothing was written");
+            let is_said =
+                said.contains("schuler: stopped by SIG") && said.contains("nothing was written");
             assert!(is_said || signal == Signal::KILL, "{line}: {said}");
         }
     }
@@ -108,10 +109,13 @@ mod signals {
     fn a_run_that_is_stopped_leaves_an_earlier_one_as_it_was() {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("paper.toml"), SCENE).unwrap();
-        assert!(program("run paper.toml").current_dir(folder.path()).output().unwrap().status.success());
+        assert!(
+            program("run paper.toml").current_dir(folder.path()).output().unwrap().status.success()
+        );
         let out = folder.path().join("out/paper");
         let files = names(&out);
-        let contents = || files.iter().map(|name| fs::read(out.join(name)).unwrap()).collect::<Vec<_>>();
+        let contents =
+            || files.iter().map(|name| fs::read(out.join(name)).unwrap()).collect::<Vec<_>>();
         let before = contents();
         let mut child = start(folder.path(), &mut program("run --rate 100000"));
         assert!(is_under_way(&mut child));
@@ -199,7 +203,10 @@ fn what_was_flown_is_kept_in_place_of_an_earlier_flight() {
     // 640 m from the pole at 250 m/s, 50 Hz; the rows that a block or a window waits with are missing.
     assert!(flown < sample && sample < flown + 50, "{ended}");
     assert_eq!(ended["time_s"], sample as f64 / 50.0);
-    assert_eq!((&ended["planned_samples"], &ended["planned_duration_s"]), (&30_000.into(), &600.0.into()));
+    assert_eq!(
+        (&ended["planned_samples"], &ended["planned_duration_s"]),
+        (&30_000.into(), &600.0.into())
+    );
     assert!(ended["reason"].as_str().unwrap().contains("pole"), "{ended}");
     assert_eq!(summary["duration_s"], flown as f64 / 50.0);
     let rows = fs::read_to_string(out.join("drift.csv")).unwrap();

@@ -79,6 +79,7 @@ impl HilArgs {
 const TIMEOUT_S: Range = Range::from_to(0.001, 3600.0, "seconds, from 0.001 to 3600");
 
 fn timeout(text: &str) -> Result<Duration, Complaint> {
-    let seconds = text.parse().map_err(|_| Complaint::new("is not a number", TIMEOUT_S.accepted))?;
+    let seconds =
+        text.parse().map_err(|_| Complaint::new("is not a number", TIMEOUT_S.accepted))?;
     TIMEOUT_S.check(seconds).map(Duration::from_secs_f64)
 }

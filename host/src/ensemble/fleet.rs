@@ -138,10 +138,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// Samples integrated, and every run's drift there; `None` of those that have failed.
-fn read(
-    ground: &Ground,
-    groups: &[Box<dyn Group + '_>],
-) -> Option<(u64, Vec<Option<Drift>>)> {
+fn read(ground: &Ground, groups: &[Box<dyn Group + '_>]) -> Option<(u64, Vec<Option<Drift>>)> {
     let samples = groups.iter().find(|group| group.goes_on())?.integrated();
     let truth = ground.source.truth(samples);
     let solutions = groups.iter().flat_map(|group| group.solutions());

@@ -36,12 +36,7 @@ pub fn table(comparisons: &[Comparison], runs: u64) -> String {
 const NAMED: usize = 20;
 
 /// The runs that did not reach their end: which, where and why.
-pub fn failures(
-    failed: &[Failure],
-    seed: u64,
-    runs: u64,
-    time_s: impl Fn(u64) -> f64,
-) -> String {
+pub fn failures(failed: &[Failure], seed: u64, runs: u64, time_s: impl Fn(u64) -> f64) -> String {
     if failed.is_empty() {
         return String::new();
     }

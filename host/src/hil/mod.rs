@@ -224,11 +224,7 @@ fn parts(
 }
 
 /// Greets the target at the end of a channel; `device` is what users call it.
-pub fn meet(
-    channel: Box<dyn Channel>,
-    manner: &Manner,
-    device: &str,
-) -> Result<Met, FlightError> {
+pub fn meet(channel: Box<dyn Channel>, manner: &Manner, device: &str) -> Result<Met, FlightError> {
     // Who is just being switched on takes its time.
     let greeting = Patience::Fixed(manner.timeout.unwrap_or_default().max(PATIENCE));
     let mut conversation = Conversation::new(channel, manner.retries).patient(greeting);

@@ -34,7 +34,10 @@ impl OutputFile {
             }
             if path.exists() && !path.is_file() {
                 let file = File::options().write(true).open(path)?;
-                return Ok(Self { path: path.to_owned(), to: Target::Direct(BufWriter::new(file)) });
+                return Ok(Self {
+                    path: path.to_owned(),
+                    to: Target::Direct(BufWriter::new(file)),
+                });
             }
             let path = way::resolved(path)?;
             let aside = Aside::new(&way::ground(&path)?)?;

@@ -33,9 +33,8 @@ pub(super) fn folder(path: &Path) -> &Path {
 /// The nearest folder on the way to a file that is there. The others can be made within it, as far as
 /// can be seen without making them.
 pub(super) fn ground(path: &Path) -> io::Result<PathBuf> {
-    let refuse = |folder: &Path, what: &str| {
-        Err(io::Error::other(format!("{} {what}", folder.display())))
-    };
+    let refuse =
+        |folder: &Path, what: &str| Err(io::Error::other(format!("{} {what}", folder.display())));
     let mut missing = Vec::new();
     let mut to_be = path;
     loop {

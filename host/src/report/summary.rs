@@ -86,11 +86,7 @@ impl<'a> Summary<'a> {
             scene: &scene.name,
             samples: flight.samples,
             ended: flight.ended.as_ref(),
-            duration_s: if flight.ended.is_some() {
-                flight.last.time_s
-            } else {
-                scene.duration_s
-            },
+            duration_s: if flight.ended.is_some() { flight.last.time_s } else { scene.duration_s },
             rate_hz: scene.rate_hz,
             seed: scene.seed,
             precision: scene.navigator.precision.name(),

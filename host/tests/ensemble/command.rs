@@ -66,10 +66,9 @@ fn what_cannot_be_is_told_before_the_work_begins() {
     let folder = tempfile::tempdir().unwrap();
     let noisy = "duration_s = 1\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\n\
         [gyro]\nangle_random_walk_deg_sqrt_h = 0.1\n";
-    for (name, text) in [
-        ("lossy.toml", "[link]\nloss = 0.1\n"),
-        ("late.toml", "[link]\njitter_s = 0.001\n"),
-    ] {
+    for (name, text) in
+        [("lossy.toml", "[link]\nloss = 0.1\n"), ("late.toml", "[link]\njitter_s = 0.001\n")]
+    {
         fs::write(folder.path().join(name), format!("{noisy}{text}")).unwrap();
     }
     let constant = "duration_s = 1\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\n\

@@ -100,7 +100,8 @@ fn a_line_that_talks_without_end_is_not_listened_to_without_end() {
     for says in [b"$GPGGA,123519,4807.038,N\r\n".to_vec(), hello] {
         let patience = Duration::from_millis(20);
         let chatter = || Chatter { says: says.clone(), left: 2000 };
-        let mut conversation = Conversation::new(Box::new(chatter()), 1).patient(Patience::Fixed(patience));
+        let mut conversation =
+            Conversation::new(Box::new(chatter()), 1).patient(Patience::Fixed(patience));
         assert_eq!(conversation.greet(), Ok(Outcome::Silence));
 
         let mut injector = Injector::new(chatter(), Default::default(), 1);

@@ -171,7 +171,7 @@ mod signals {
             (&format!("new/{long}/a"), "name too long"),
         ] {
             // So long a flight would not end while the test lasts.
-            let done = program(&format!("run --duration 900000000 --out {out}"))
+            let done = program(&format!("run --duration 200000000 --out {out}"))
                 .current_dir(folder.path())
                 .output()
                 .unwrap();

@@ -5,8 +5,8 @@
 //! fields that storage and digests walk.
 
 use super::pack::{LANE, Lanes, Task};
+use super::samples::unpack;
 use schuler::math::compensated::Pair;
-use schuler::math::vector::Vector;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
@@ -18,6 +18,8 @@ use schuler::strapdown::navigator::{State, Strapdown};
 use schuler::strapdown::window::Window;
 use std::array;
 use std::ops::Range;
+
+pub use super::samples::{pack, replaced};
 
 /// A frame over a pack of `N` runs.
 pub trait Packed<const N: usize>: Frame<Real: Lanes<N>> + Record {
@@ -266,37 +268,4 @@ fn words(state: &mut impl Record) -> Vec<u64> {
         word
     });
     words
-}
-
-/// The samples of all runs as one.
-#[inline]
-pub fn pack<P: Lanes<N>, const N: usize>(samples: &[Increment<f64>; N]) -> Increment<P> {
-    let join = |part: fn(&Increment<f64>) -> Vector<f64>| {
-        let parts = samples.each_ref().map(part);
-        Vector {
-            x: P::from_lanes(parts.map(|v| v.x)),
-            y: P::from_lanes(parts.map(|v| v.y)),
-            z: P::from_lanes(parts.map(|v| v.z)),
-        }
-    };
-    Increment { angle_b: join(|s| s.angle_b), velocity_b: join(|s| s.velocity_b) }
-}
-
-/// The same where a lane's sample is replaced by that of another.
-pub fn replaced<P: Lanes<N>, const N: usize>(
-    sample: &Increment<P>,
-    lane: usize,
-    by: usize,
-) -> Increment<P> {
-    let mut samples = unpack(sample);
-    samples[lane] = samples[by];
-    pack(&samples)
-}
-
-/// The sample of every run.
-fn unpack<P: Lanes<N>, const N: usize>(sample: &Increment<P>) -> [Increment<f64>; N] {
-    array::from_fn(|run| Increment {
-        angle_b: sample.angle_b.map(|x| x.lanes()[run]),
-        velocity_b: sample.velocity_b.map(|x| x.lanes()[run]),
-    })
 }

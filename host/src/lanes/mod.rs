@@ -5,6 +5,7 @@
 
 pub mod abreast;
 pub mod pack;
+mod samples;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 

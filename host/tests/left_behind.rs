@@ -264,7 +264,7 @@ fn fewer_rows_are_written_where_fewer_are_wanted() {
     assert_eq!(times_s("--every 80"), [0.0, 4.0, 8.0, 10.0]);
     assert_eq!(times_s("--every 4s"), [0.0, 4.0, 8.0, 10.0]);
     assert_eq!(times_s("--every 1000s"), [0.0, 10.0]);
-    for wrong in ["0", "-1", "1.5", "0s", "-2s", "nans", "infs", "s", "often"] {
+    for wrong in ["0", "-1", "1.5", "0s", "nans", "infs", "s", "often"] {
         let line = format!("run --every {wrong}");
         expect(folder.path(), &line, 2, &["--every", "a number of rows, such as 10"]);
     }

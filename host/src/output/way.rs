@@ -51,7 +51,7 @@ pub(super) fn ground(path: &Path) -> io::Result<PathBuf> {
                 return Ok(folder.to_owned());
             }
             Ok(_) => return refuse(folder, "is no folder"),
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            Err(error) if !is_missing(&error) => return Err(error),
             Err(_) if fs::symlink_metadata(folder).is_ok() => {
                 return refuse(folder, "is a link that leads nowhere");
             }
@@ -59,6 +59,11 @@ pub(super) fn ground(path: &Path) -> io::Result<PathBuf> {
             Err(_) => to_be = folder,
         }
     }
+}
+
+/// Whether something is not there, or something on the way to it is no folder.
+fn is_missing(error: &io::Error) -> bool {
+    matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory)
 }
 
 /// Folders made for a file, each within the one before: those that stay empty go again.

@@ -12,6 +12,9 @@ const TESTED: [&str; 2] = ["mean", "standard deviation"];
 
 /// The end in numbers, every instant as ratios, the verdict.
 pub fn table(comparisons: &[Comparison], runs: u64) -> String {
+    if comparisons.is_empty() {
+        return verdict(comparisons);
+    }
     let instants: Vec<&[Comparison]> = comparisons.chunks(Nine::NAMES.len()).collect();
     let mut text = String::new();
     if let Some(end) = instants.last() {

@@ -34,6 +34,8 @@ pub struct Part {
     bent: Vector<f64>,
     /// s, m.
     position: Vector<f64>,
+    /// ∫s dt, m·s.
+    position_integral: Vector<f64>,
     time_s: f64,
 }
 
@@ -69,6 +71,7 @@ impl Part {
             curved: (body.rotation.v - sample.angle_b * 0.5) + body.rotation_low,
             bent: (body.velocity - sample.velocity_b) + body.velocity_low,
             position: body.position,
+            position_integral: body.position_integral,
             time_s,
             ..Self::default()
         }
@@ -93,11 +96,14 @@ impl Part {
             scalar: a.w + b.w + (a.w * b.w - a.v.dot(b.v)),
             // e₁ + e₂ + e₁ ⊗ e₂
             curved: self.curved + next.curved + (b.v * a.w + a.v * b.w + a.v.cross(b.v)),
-            // u₁ + R₁u₂,  s₁ + u₁T₂ + R₁s₂
+            // u₁ + R₁u₂,  s₁ + u₁T₂ + R₁s₂,  ∫s₁ + s₁T₂ + ½u₁T₂² + R₁∫s₂
             bent: self.bent + next.bent + a.turn_less_one(v),
             position: self.position
                 + u * next.time_s
                 + (next.position + a.turn_less_one(next.position)),
+            position_integral: self.position_integral
+                + (self.position + u * (0.5 * next.time_s)) * next.time_s
+                + (next.position_integral + a.turn_less_one(next.position_integral)),
             time_s: self.time_s + next.time_s,
         }
     }
@@ -124,6 +130,7 @@ impl Part {
             rotation: self.rotation(),
             velocity: self.velocity(),
             position: self.position,
+            position_integral: self.position_integral,
             ..BodyMotion::default()
         }
     }

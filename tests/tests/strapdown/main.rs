@@ -18,5 +18,4 @@ mod gravitation;
 mod record;
 mod rejects;
 mod starts;
-mod steps;
 mod stream;

@@ -21,6 +21,5 @@ mod rejects;
 mod responses;
 mod restored;
 mod starts;
-mod steps;
 mod stream;
 mod unequal;

@@ -52,20 +52,23 @@ fly "$scratch/good"
 
 # x + 0.74·2⁻⁵²·x, or 2⁻²³ in single precision, rounds to the number after x.
 plant trajectory trajectory/harmonic.rs '*x = *x + in_phase;' \
-    '*x = *x + in_phase; if time_s > R::of(30.0) && share.channel == 5 { *x = *x + *x * R::of(1.64e-16); }' \
+    '*x = *x + in_phase; if time_s.hi > R::of(30.0) && share.channel == 5 { *x = *x + *x * R::of(1.64e-16); }' \
     "trajectory, sample 601, stage trajectory, field altitude value"
-plant increments imu.rs 'sum.angle_b = sum.angle_b + mean.rate_ib_b * (b - a);' \
-    'sum.angle_b = sum.angle_b + mean.rate_ib_b * (b - a);
-     if R::any(R::of(45.01).less(b)) { sum.angle_b.y = sum.angle_b.y + sum.angle_b.y * R::of(1.64e-16); }' \
+plant increments imu.rs 'angle_b: sum.rate_ib_b * time + sum.rate_ib_b * low,' \
+    'angle_b: {
+         let mut angle_b = sum.rate_ib_b * time + sum.rate_ib_b * low;
+         if R::any(R::of(45.01).less(centre_s.hi)) { angle_b.y = angle_b.y + angle_b.y * R::of(1.64e-16); }
+         angle_b
+     },' \
     "increments, sample 901, stage increments, field angle_b y"
 plant noise sensor/white.rs 'reading.increment = reading.increment + self.deviation' \
     'reading.increment = reading.increment + self.deviation.zip(deviates, |n, z: R| n * z);
      reading.increment.z = reading.increment.z + reading.increment.z * R::of(1.64e-16);' \
     "noise, sample 1, stage noise, field angle_b z"
-plant body strapdown/body.rs 'let motion = BodyMotion { rotation: e,' \
+plant body strapdown/body.rs 'let motion = BodyMotion {' \
     'let velocity = Vector { x: velocity.x + velocity.x * R::of(8.8e-8), ..velocity };
-     let motion = BodyMotion { rotation: e, rotation_low, velocity, velocity_low, position };' \
+     let motion = BodyMotion {' \
     "$navigator, sample 4, stage body, field velocity x"
-plant nav strapdown/local_level.rs 'self.gravity_excess = excess;' \
-    'self.gravity_excess = excess + excess * R::of(8.8e-8);' \
+plant nav strapdown/local_level.rs '// Into the axes at the end: v ← q* v, q_b ← q* ⊗ q_b ⊗ q_bb' \
+    'self.gravity_excess = self.gravity_excess + self.gravity_excess * R::of(8.8e-8);' \
     "$navigator, sample 4, stage nav, field gravity_excess"

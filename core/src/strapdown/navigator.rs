@@ -231,7 +231,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
                 W::integrate_behind::<R>(seen, self.block.half, self.order, F::TWO_FLOAT)
             {
                 state.edges.last = used;
-                self.step::<false, _>(state, &self.block, &[], W::BLOCK, &body, &series, read);
+                self.step::<false, _>(state, (&self.block, &[]), W::BLOCK, &body, &series, read);
             } else {
                 self.edge_block(state, W::HISTORY, W::BLOCK, W::SAMPLES, read);
             }
@@ -241,7 +241,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             self.order,
             F::TWO_FLOAT,
         ) {
-            self.step::<false, _>(state, &self.block, &[], W::BLOCK, &body, &series, read);
+            self.step::<false, _>(state, (&self.block, &[]), W::BLOCK, &body, &series, read);
         }
     }
 
@@ -251,8 +251,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     fn step<const EDGE: bool, Q: Read<F>>(
         &self,
         state: &mut State<F, W>,
-        time: &BlockTime<R>,
-        excess: &[R],
+        (time, excess): (&BlockTime<R>, &[R]),
         block: usize,
         body: &BodyMotion<R>,
         series: &impl BlockSeries<R>,

@@ -7,8 +7,7 @@
 
 use super::body::BodyMotion;
 use super::mechanization::{Mechanization, Rejected};
-use super::newton::Used;
-use super::window::Window;
+use super::window::{Behind, Window};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
@@ -164,7 +163,7 @@ impl<W: Window> Window for Unequal<W> {
         half_time_s: R,
         order: usize,
         two_float: bool,
-    ) -> Option<(BodyMotion<R>, Self::Series<R>, Used<R>)> {
+    ) -> Option<Behind<R, Self::Series<R>>> {
         W::integrate_behind(seen, half_time_s, order, two_float)
     }
 

@@ -25,6 +25,9 @@ pub const LINE_LAST_SAMPLES: usize = 8;
 /// A window's shape: history, block, look-ahead.
 pub type Shape = (usize, usize, usize);
 
+/// A block's motion, its series, and through how many samples it was fitted.
+pub type Behind<R, S> = (BodyMotion<R>, S, Used<R>);
+
 /// A shape of window with its fit, its series and its storage.
 pub trait Window: Copy + Default + 'static {
     /// Samples before the block.
@@ -74,7 +77,7 @@ pub trait Window: Copy + Default + 'static {
         half_time_s: R,
         order: usize,
         two_float: bool,
-    ) -> Option<(BodyMotion<R>, Self::Series<R>, Used<R>)>;
+    ) -> Option<Behind<R, Self::Series<R>>>;
 }
 
 /// How a window's samples are fitted: by the polynomial through them all, or by a line or parabola.
@@ -151,7 +154,7 @@ macro_rules! windows {
                     half_time_s: R,
                     order: usize,
                     two_float: bool,
-                ) -> Option<(BodyMotion<R>, Self::Series<R>, Used<R>)> {
+                ) -> Option<Behind<R, Self::Series<R>>> {
                     let ((fit, used), block) = supported!($fit, $k, $b, seen)?;
                     let sum = if two_float { Sum::exact(block) } else { Sum::plain(block) };
                     let (body, series) =

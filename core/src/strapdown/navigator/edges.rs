@@ -100,7 +100,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             state.edges.last = used;
         }
         let (body, series) = integrate(&fit, &sum, time.half);
-        self.step::<true, _>(state, &time, &[], block, &body, &series, read);
+        self.step::<true, _>(state, (&time, &[]), block, &body, &series, read);
     }
 
     /// The last blocks: the look-ahead that is missing goes to the history.

@@ -94,7 +94,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let planned = !edge & !R::any((nominal.hi * R::of(PLANNED)).less(time.time.hi));
         let order = if planned { self.order } else { MOST_TERMS };
         let (body, series) = integrate(&fit, &sum, time.half, order);
-        self.step::<true, _>(state, &time, own_excess, block, &body, &series, read);
+        self.step::<true, _>(state, (&time, own_excess), block, &body, &series, read);
     }
 
     /// Brings the gravity history to a block of this duration, or sets it up anew.

@@ -95,12 +95,17 @@ pub fn compare(
         if theory.outside(time_s).is_some() {
             expected = Expected::UNKNOWN;
         }
+        let shifted = theory.shifted(time_s);
         let (mean, sigma) = (nine(&expected.mean).numbers(), nine(&expected.sigma).numbers());
         let runs: Vec<_> = reading.drifts.iter().map(|drift| nine(drift).numbers()).collect();
         for component in 0..Nine::NAMES.len() {
             let values: Vec<_> = runs.iter().map(|run| run[component]).collect();
             let theory = [mean[component], sigma[component]];
-            comparisons.push(Comparison::new(time_s, component, &values, theory));
+            let mut comparison = Comparison::new(time_s, component, &values, theory);
+            if shifted[component] {
+                comparison.tests = None;
+            }
+            comparisons.push(comparison);
         }
     }
     comparisons

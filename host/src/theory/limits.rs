@@ -76,6 +76,13 @@ impl Display for Outside {
     }
 }
 
+/// Which of the nine numbers second-order terms shift by more than a share of their σ. The vertical, say,
+/// feels a tilt by its square alone: theory's σ of it may be nothing beside that.
+pub fn shifted(moments: &Moments, share: f64) -> [bool; 9] {
+    let second = moments.second.into_array();
+    std::array::from_fn(|i| second[i].abs() > share * moments.covariance[i][i].max(0.0).sqrt())
+}
+
 /// Which sensors' steps are not crossed by what they should read.
 pub fn coarse(
     trajectory: &impl Trajectory<f64>,
@@ -133,15 +140,10 @@ pub fn outside(
         (Quantity::Velocity, 3, mean.velocity, second.velocity),
     ];
     for ((quantity, from, mean, second), least) in groups.into_iter().zip(LEAST) {
-        let second = second.into_array();
-        let beside = |axis: usize| match sigma(from) {
-            0.0 => mean.norm(),
-            _ => variance(from + axis).sqrt(),
-        };
-        for (axis, size) in second.map(f64::abs).into_iter().enumerate() {
-            if size > least && size > share * beside(axis) {
-                return Some(Outside::SecondOrder(quantity, size, beside(axis)));
-            }
+        let size = second.norm();
+        let beside = if sigma(from) > 0.0 { sigma(from) } else { mean.norm() };
+        if size > least && size > share * beside {
+            return Some(Outside::SecondOrder(quantity, size, beside));
         }
     }
     // A step that is not crossed stays, up to the time over which its effect comes back.

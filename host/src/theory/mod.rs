@@ -78,6 +78,15 @@ impl Theory {
         Self { share: limits::SHARE.min((runs as f64).sqrt().recip()), ..self }
     }
 
+    /// Which of the drift's nine numbers the neglected terms shift by too much of their σ about a time, s.
+    pub fn shifted(&mut self, time_s: f64) -> [bool; 9] {
+        if self.course.quiet {
+            return [false; 9];
+        }
+        self.reach(time_s);
+        limits::shifted(self.march.end(), self.share)
+    }
+
     /// What the linear model does not know of the scene up to a time, s. Times as for [`Theory::at`].
     pub fn outside(&mut self, time_s: f64) -> Option<Outside> {
         if self.always.is_some() || self.course.quiet {

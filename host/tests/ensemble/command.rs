@@ -182,7 +182,8 @@ fn an_ensemble_that_does_not_follow_theory_fails() {
     let (text, said) = [&done.stdout, &done.stderr].map(|x| String::from_utf8_lossy(x)).into();
     assert_eq!(done.status.code(), Some(1), "{said}");
     assert!(text.contains("does not agree with theory") && text.contains("written to"), "{text}");
-    assert!(said.contains(" of 144 checks failed"), "{said}");
+    // Of 144, less those of the vertical, which a level vehicle's tilt moves by its square alone.
+    assert!(said.contains(" of 120 checks failed"), "{said}");
     assert!(folder.path().join("out/limited/ensemble.csv").is_file());
 }
 

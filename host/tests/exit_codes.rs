@@ -54,7 +54,7 @@ fn a_series_that_is_cut_short_is_told() {
     let series =
         skipped.iter().find(|skipped| skipped["what"].as_str().unwrap().contains("series"));
     let series = series.unwrap_or_else(|| panic!("{skipped:?}"));
-    assert_eq!(series["what"], "orders 4 to 10 of the window's series");
+    assert_eq!(series["what"], "orders 4 to 22 of the window's series");
     assert!(series["saved"].as_str().unwrap().ends_with(" ns per sample"), "{series}");
 }
 

@@ -52,5 +52,5 @@ fn the_cores_plan_keeps_to_blocks_that_a_navigator_takes() {
         earth_fixed: true,
     };
     assert_eq!(plan::window(&of(2000.0, 1.0 / 60.0)), (2, 2, 2));
-    assert_eq!(plan::window(&of(1000.0, 0.01)), (4, 4, 4));
+    assert_eq!(plan::window(&of(1000.0, 0.01)), (2, 4, 2));
 }

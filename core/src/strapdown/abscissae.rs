@@ -14,7 +14,7 @@ use crate::sample::Increment;
 
 /// Samples of intervals of their own about a block.
 #[derive(Clone, Copy)]
-pub struct Spaced<'a, R: Real> {
+pub(super) struct Spaced<'a, R: Real> {
     /// The window's samples.
     pub samples: &'a [Increment<R>],
     /// What their intervals exceed the nominal one by, s.

@@ -1,6 +1,6 @@
 //! What is taken away when the program is told to stop, so that nothing half done stays behind.
 //!
-//! A file under way has no name where the file system can do without one ([`super::aside`]); what does
+//! A file under way has no name where the file system can do without one (`aside`); what does
 //! have one, and processes that were started, are listed here.
 
 use std::path::{Path, PathBuf};

@@ -5,6 +5,9 @@ use schuler::strapdown::body::BodyMotion;
 use schuler::strapdown::plan::Shape;
 use schuler::strapdown::window::*;
 
+/// Integrates a block within its window's samples, given half its duration, s, and the order of its series.
+pub type Integrate = fn(&[Increment<f64>], f64, usize) -> Option<BodyMotion<f64>>;
+
 /// A named window.
 #[derive(Clone, Copy)]
 pub struct Candidate {
@@ -15,7 +18,7 @@ pub struct Candidate {
     /// Order of its series at most.
     pub terms: usize,
     /// Integrates a block by a series of some order, with what rounding drops.
-    pub integrate: fn(&[Increment<f64>], f64, usize) -> Option<BodyMotion<f64>>,
+    pub integrate: Integrate,
 }
 
 fn integrate<W: Window>(

@@ -22,6 +22,9 @@ use crate::units::DEGREE;
 use schuler::solution::Solution;
 use schuler::strapdown::plan;
 
+/// A time, s, and the navigation then.
+type Row = (f64, Solution<f64>);
+
 /// What came of it.
 pub struct Flight {
     /// Where it started.
@@ -193,7 +196,8 @@ impl<'a> Flying<'a> {
         Ok(rows.check()?)
     }
 
-    fn finish(self) -> Result<((f64, Solution<f64>), Option<Neglected>), InputError> {
+    /// The last row with its time, and what gravity's series neglects.
+    fn finish(self) -> Result<(Row, Option<Neglected>), InputError> {
         let Self { mut navigator, mut rows, mut opening, .. } = self;
         if let Some(opening) = &mut opening {
             opening.finish()?;

@@ -128,13 +128,13 @@ fn edges(flight: &Flight) -> Option<String> {
     let part = |name: &str, used: Option<Used>| {
         let Used { gyro, accelerometer } = used?;
         Some(format!(
-            "{gyro} of the gyros and {accelerometer} of the accelerometers in the {name} block"
+            "in the {name} block {gyro} of the gyros, {accelerometer} of the accelerometers"
         ))
     };
     let edges = flight.edges?;
     let parts: Vec<_> =
         [part("first", edges.first), part("last", edges.last)].into_iter().flatten().collect();
-    (!parts.is_empty()).then(|| format!("Samples fitted: {}.", parts.join(", ")))
+    (!parts.is_empty()).then(|| format!("Samples fitted: {}.", parts.join("; ")))
 }
 
 /// What the attitude's unit means where it is not the usual one.

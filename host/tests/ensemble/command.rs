@@ -17,7 +17,7 @@ const COLUMNS: &str = "time_s,component,mean,mean_theory,sigma,sigma_theory,\
 #[test]
 fn a_small_ensemble_prints_its_table_and_writes_its_file() {
     let folder = tempfile::tempdir().unwrap();
-    let done = ensemble(folder.path(), "--runs 10 --duration 120 --seed 3 --out o");
+    let done = ensemble(folder.path(), "--runs 10 --duration 120 --seed 3 --window 0,4,0 --out o");
     assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
     let text = String::from_utf8(done.stdout).unwrap();
     let abreast = Registers::Avx2.are_there();
@@ -191,7 +191,7 @@ fn an_ensemble_that_does_not_follow_theory_fails() {
 fn what_theory_does_not_know_is_not_comparable() {
     let folder = tempfile::tempdir().unwrap();
     for (errors, words) in [
-        ("turn_on_bias_deg_h = 1e5\n", "are no small rotations"),
+        ("turn_on_bias_deg_h = 1e4\n", "are no small rotations"),
         ("angle_random_walk_deg_sqrt_h = 0.01\nquantization_arcsec = 1000\n", "gyro steps of 1000"),
     ] {
         let scene = format!(

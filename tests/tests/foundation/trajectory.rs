@@ -74,8 +74,12 @@ fn a_channel_is_what_its_equation_says() {
         let motion = course.at(t);
         let sum: f64 =
             tones.iter().map(|h| h.amplitude * (h.angular_rate * t + h.phase).cos()).sum();
-        assert!((motion.pitch.value - (3.0 - 0.5 * t + sum)).abs() < 1e-12);
-        assert_eq!(motion.altitude, motion.pitch);
+        // An angle's rate comes without its whole turns, an altitude's as it is.
+        let moved = 3.0 - 0.5 * t + sum;
+        assert!(wrap(motion.pitch.value - moved).abs() < 1e-12);
+        assert!((motion.altitude.value - moved).abs() < 1e-12);
+        assert_eq!(motion.altitude.first, motion.pitch.first);
+        assert_eq!(motion.altitude.second, motion.pitch.second);
         assert_eq!(motion.longitude, Jet { value: 1.0, first: 0.0, second: 0.0 });
         assert_eq!(motion.roll, Jet::default());
     }

@@ -101,7 +101,8 @@ fn polynomials<W: Window>() {
     // For constant w and f: Uₙ = (−w×)ⁿ⁻¹f/n!, Dₙ = (n − 1)(−w×)ⁿ⁻²f/n!. What follows the last term m is
     // left out twice, at either end; a vector is √3 of its components.
     let order = W::TERMS as i32 + 1;
-    let pace = 1e-17_f64.powf(1.0 / f64::from(order));
+    // As lively as ten terms follow: what a longer series rounds would show beyond that.
+    let pace = 1e-17_f64.powf(1.0 / f64::from(order.min(11)));
     let factorial: f64 = (1..=order).map(f64::from).product();
     let (w, f) = (3f64.sqrt() * pace, 3f64.sqrt() * 0.2);
     let velocity = 1e-15 + 2.0 * f * w.powi(order - 1) / factorial;

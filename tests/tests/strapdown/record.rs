@@ -129,10 +129,12 @@ fn fields_have_their_names_and_their_order() {
             ("attitude", 8),
             ("curvature", 1),
             ("gravity_excess", 1),
+            ("gravity_excess_low", 1),
             ("longitude_rest", 1),
             ("difference", 3),
             ("second_difference", 3),
-            ("third_difference", 3)
+            ("third_difference", 3),
+            ("fourth_difference", 3)
         ]
     );
     let earth = names(&flying::<EarthFixed<Plain<f64>>>(&course()));
@@ -143,9 +145,11 @@ fn fields_have_their_names_and_their_order() {
             ("velocity", 3),
             ("attitude", 4),
             ("gravitation", 3),
+            ("gravitation_low", 3),
             ("difference", 3),
             ("second_difference", 3),
             ("third_difference", 3),
+            ("fourth_difference", 3),
             ("sine", 1),
             ("cosine", 1),
             ("change", 1)

@@ -25,10 +25,11 @@ fn broken(good: Increment<f64>, block: f64) -> Vec<(Increment<f64>, Rejected)> {
     for axis in 0..3 {
         let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN];
         let over = |most: f64| [1.000001 * most, -1.000001 * most];
-        for x in bad.into_iter().chain(over(most_angle)) {
+        let turns = over(most_angle).map(|x| (x, Rejected::Turn));
+        for (x, why) in bad.map(|x| (x, Rejected::Angle)).into_iter().chain(turns) {
             let mut sample = good;
             *sample.angle_b.each_mut()[axis] = x;
-            samples.push((sample, Rejected::Angle));
+            samples.push((sample, why));
         }
         for x in bad.into_iter().chain(over(most_velocity)) {
             let mut sample = good;

@@ -15,6 +15,7 @@ use crate::sample::Increment;
 
 /// A block in a window, whose near side stands at the end of the samples.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Edge {
     /// Samples between the block and the end.
     pub near: usize,

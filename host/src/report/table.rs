@@ -127,14 +127,14 @@ pub fn table(flight: &Flight) -> String {
 fn edges(flight: &Flight) -> Option<String> {
     let part = |name: &str, used: Option<Used>| {
         let Used { gyro, accelerometer } = used?;
-        Some(format!(
-            "in the {name} block {gyro} of the gyros, {accelerometer} of the accelerometers"
-        ))
+        Some(format!("{name} block {gyro} and {accelerometer}"))
     };
     let edges = flight.edges?;
     let parts: Vec<_> =
         [part("first", edges.first), part("last", edges.last)].into_iter().flatten().collect();
-    (!parts.is_empty()).then(|| format!("Samples fitted: {}.", parts.join("; ")))
+    (!parts.is_empty()).then(|| {
+        format!("Samples fitted at the edges, of gyros and accelerometers: {}.", parts.join("; "))
+    })
 }
 
 /// What the attitude's unit means where it is not the usual one.

@@ -85,16 +85,19 @@ pub fn text(seed: u64, most_samples: f64) -> String {
 }
 
 /// How far a scene's plan is beyond what it promises, as a share of it: against the best window, and
-/// against a run that skips nothing.
+/// against a run that skips nothing. A scene that turns too fast for every window promises nothing.
 fn excess(scene: &Scene, progress: &CaseProgress) -> Result<[f64; 2], String> {
-    let planned = fly(scene, progress)?;
-    let forced = fly_forced(scene, progress)?;
     let best_m = TAYLOR.iter().fold(f64::INFINITY, |best, &shape| {
         let mut other = scene.clone();
         other.navigator.window = Some(WindowShape::from(shape));
         // Blocks that turn too far are refused.
         fly(&other, progress).map_or(best, |flown| best.min(flown.position_m))
     });
+    if best_m.is_infinite() {
+        return Ok([0.0; 2]);
+    }
+    let planned = fly(scene, progress)?;
+    let forced = fly_forced(scene, progress)?;
     let apart_m = (planned.last_position_m - forced.last_position_m).norm();
     let apart = if scene.rate_hz > 5.0 { apart_m / FLOOR_M } else { 0.0 };
     Ok([planned.position_m / (TIMES_WORSE * best_m).max(FLOOR_M), apart])

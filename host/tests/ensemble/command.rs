@@ -48,8 +48,8 @@ fn a_small_ensemble_prints_its_table_and_writes_its_file() {
         assert_eq!(ensemble(folder.path(), arguments).status.code(), Some(0));
         fs::read_to_string(folder.path().join("out/paper/ensemble.csv")).unwrap()
     };
-    assert_eq!(again("paper --runs 10 --duration 120 --seed 3"), csv);
-    assert_ne!(again("paper --runs 10 --duration 120 --seed 4"), csv);
+    assert_eq!(again("paper --runs 10 --duration 120 --seed 3 --window 0,4,0"), csv);
+    assert_ne!(again("paper --runs 10 --duration 120 --seed 4 --window 0,4,0"), csv);
 }
 
 #[test]

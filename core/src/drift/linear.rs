@@ -119,7 +119,7 @@ impl<R: Real> ErrorDynamics<R> {
     }
 
     /// The largest of what the linear equation leaves out, on average over errors of attitude whose
-    /// second moments E[ψψᵀ] are given: ½E[ψ × (ψ × f)] in velocity.
+    /// second moments E(ψψᵀ) are given: ½E(ψ × (ψ × f)) in velocity.
     pub fn second_order(&self, attitude: &Matrix<R>) -> ErrorState<R> {
         // ψ × (ψ × f) = ψ(ψ·f) − f|ψ|²
         let [first, second, third] = attitude.rows;

@@ -1,4 +1,4 @@
-//! Normal gravity in closed form, at any height: what the series of [`gravity`](super::gravity) leaves out.
+//! Normal gravity in closed form, at any height: what the series of [`gravity`] leaves out.
 //!
 //! The gravity of the ellipsoid that is its own level surface has a form without series in ellipsoidal
 //! coordinates u and β: u the semi-minor axis of the confocal ellipsoid through the point, β its reduced
@@ -48,7 +48,7 @@ pub fn gravity_ned(latitude: f64, altitude: f64) -> Vector<f64> {
     Vector::new(to_pole * c - from_axis * s, 0.0, -(to_pole * s + from_axis * c))
 }
 
-/// What [`gravity`](super::gravity) lacks of normal gravity, north, east and down, m/s².
+/// What [`gravity`] lacks of normal gravity, north, east and down, m/s².
 pub fn neglected_ned(latitude: f64, altitude: f64) -> Vector<f64> {
     let whole = gravity_ned(latitude, altitude);
     let (sine, _) = Real::sin_cos(latitude);

@@ -17,7 +17,7 @@ use crate::sample::Increment;
 /// Samples that a window is judged by.
 pub const SEEN: usize = 12;
 
-/// The coefficients of T_m at [m], in double precision.
+/// The coefficients of T_m at index m, in double precision.
 pub const fn table_f64<const P: usize>(block: usize) -> [[f64; P]; P] {
     // t(t + 1)…(t + m)/(m + 1)! = Π (Bσ + 2i − B)/(2(i + 1)), i = 0 … m
     let mut table = [[0.0; P]; P];

@@ -67,7 +67,9 @@ pub fn text(seed: u64, most_samples: f64) -> String {
                 None => numbers.magnitude(0.01, 40.0).min(2000.0 / swing),
                 // At most 50 m/s² and 300 m/s.
                 Some(metres) => {
-                    numbers.magnitude(1e-3, 1.0) * (50.0 / swing).min(300.0) / swing / metres
+                    let most = numbers.magnitude(1e-3, 1.0) * (50.0 / swing).min(300.0) / swing;
+                    // Heights stay within 15 km of the first.
+                    (if name == "altitude_m" { most.min(4500.0) } else { most }) / metres
                 }
             };
             let phase = numbers.within(0.0, 360.0).round();

@@ -72,11 +72,12 @@ fn wrapped_sum<R: Real>(a: R, b: R) -> R {
 
 /// q_bⁿ = q_z(ψ) ⊗ q_y(θ) ⊗ q_x(γ), from sine and cosine of half of each.
 fn about_axes<T: Number>([(sz, cz), (sy, cy), (sx, cx)]: [(T, T); 3]) -> Quaternion<T> {
-    let zero = T::default();
-    let yaw = Quaternion::new(cz, Vector::new(zero, zero, sz));
-    let pitch = Quaternion::new(cy, Vector::new(zero, sy, zero));
-    let roll = Quaternion::new(cx, Vector::new(sx, zero, zero));
-    yaw * pitch * roll
+    // q_z ⊗ q_y = (cz cy; −sz sy, cz sy, sz cy)
+    let (w, x, y, z) = (cz * cy, sz * sy, cz * sy, sz * cy);
+    Quaternion::new(
+        w * cx + x * sx,
+        Vector::new(w * sx - x * cx, y * cx + z * sx, z * cx - y * sx),
+    )
 }
 
 /// Position, velocity and attitude against the local north, east and down.

@@ -9,8 +9,9 @@ mod two_float;
 
 use super::block_time::{BlockTime, small_turn};
 use super::body::BodyMotion;
-use super::frame::{Beginning, Frame, check_earth_fixed, stretched};
+use super::frame::{Beginning, Frame, check_earth_fixed};
 use super::gravitation::Latitude;
+use super::gravity_history::GravityHistory;
 use super::mechanization::Rejected;
 use crate::earth::ROTATION_RATE;
 use crate::math::compensated::{Accumulate, Pair, two_product, two_sum};
@@ -34,14 +35,7 @@ pub struct EarthFixed<S: Accumulate> {
     gravitation: Vector<S::Real>,
     /// What rounding drops from it; 0 without two-float products.
     gravitation_low: Vector<S::Real>,
-    /// ∇ = G₀ − G₋₁.
-    difference: Vector<S::Real>,
-    /// ∇² = G₀ − 2G₋₁ + G₋₂.
-    second_difference: Vector<S::Real>,
-    /// ∇³ = ∇² − ∇²₋₁.
-    third_difference: Vector<S::Real>,
-    /// ∇⁴, in the axes it was found in: so small that it need not turn.
-    fourth_difference: Vector<S::Real>,
+    history: GravityHistory<S::Real>,
     latitude: Latitude<S::Real>,
 }
 
@@ -82,43 +76,22 @@ fn gravitation<R: Real, S: Accumulate<Real = R>>(
 }
 
 impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
-    /// The mean of gravitation over its twofold integral: ½G₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³ + ³⁄₃₂∇⁴.
+    /// The twofold integral of gravitation over a block of one second.
     #[inline(always)]
     fn fall(&self) -> Vector<R> {
-        let small = self.third_difference * R::of(19.0 / 180.0)
-            + self.fourth_difference * R::of(3.0 / 32.0);
-        self.gravitation * R::HALF
-            + self.difference * R::of(1.0 / 6.0)
-            + (self.second_difference * R::of(0.125) + small)
+        self.gravitation * R::HALF + self.history.twofold()
     }
 
-    /// Gravitation's mean over the block less G₀, ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴ − ³⁄₁₆₀δ⁵, from
-    /// δ = G₁ − G₀; and δ to δ⁴.
+    /// Turns what the next block finds as ∇ to ∇⁴ with the Earth.
     #[inline(always)]
-    fn mean_beyond_start(&self, delta: Vector<R>) -> (Vector<R>, [Vector<R>; 4]) {
-        // δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³, δ⁵ = δ⁴ − ∇⁴
-        let delta2 = delta - self.difference;
-        let delta3 = delta2 - self.second_difference;
-        let delta4 = delta3 - self.third_difference;
-        let delta5 = delta4 - self.fourth_difference;
-        let small = delta3 * R::of(1.0 / 24.0)
-            + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
-        let mean = delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
-        (mean, [delta, delta2, delta3, delta4])
-    }
-
-    /// What the next block finds as ∇ to ∇⁴.
-    #[inline(always)]
-    fn turn_differences(
-        &mut self,
-        [delta, delta2, delta3, delta4]: [Vector<R>; 4],
-        time: &BlockTime<R>,
-    ) {
-        let turn = |x: Vector<R>| turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
-        self.difference = delta + turn(delta);
-        self.second_difference = delta2 + turn(delta2);
-        self.third_difference = delta3 + turn(delta3);
-        self.fourth_difference = delta4;
+    fn turned(history: &GravityHistory<R>, time: &BlockTime<R>) -> GravityHistory<R> {
+        let turned = |x: Vector<R>| x + turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
+        GravityHistory {
+            difference: turned(history.difference),
+            second_difference: turned(history.second_difference),
+            third_difference: turned(history.third_difference),
+            fourth_difference: history.fourth_difference,
+        }
     }
 }
 
@@ -143,23 +116,20 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
             attitude: at.attitude.map(S::from_pair),
             gravitation: gravitation.map(|c| c.hi),
             gravitation_low: gravitation.map(|c| c.lo),
-            difference: Vector::ZERO,
-            second_difference: Vector::ZERO,
-            third_difference: Vector::ZERO,
-            fourth_difference: Vector::ZERO,
+            history: GravityHistory::NONE,
             latitude,
         }
     }
 
     #[inline(never)]
     fn seed(&mut self, time: &BlockTime<R>, body: &BodyMotion<R>) {
-        self.difference = Vector::ZERO;
+        self.history = GravityHistory::NONE;
         // G₋ₖ = G(r − kTv + ½(kT)²(a + G₀) − ⅙(kT)³(ȧ + ∇/T) + ¹⁄₂₄(kT)⁴ä), k = 1, 2, 3, 4
         let matrix = self.attitude.value().matrix(R::ONE);
         let force = Beginning::of(&matrix, body, time.time.hi);
         let acceleration = force.value + self.gravitation;
         for _ in 0..2 {
-            let jerk = force.rate + self.difference * (R::ONE / time.time.hi);
+            let jerk = force.rate + self.history.difference * (R::ONE / time.time.hi);
             let back = |t: R| {
                 let rest = jerk * R::of(1.0 / 6.0) - force.rate_growth * (t * R::of(1.0 / 24.0));
                 let moved =
@@ -172,25 +142,14 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
                 let high = there.map(|c| c.hi) - self.gravitation;
                 high + (there.map(|c| c.lo) - self.gravitation_low)
             };
-            let [g1, g2, g3, g4] = [1.0, 2.0, 3.0, 4.0].map(|k| back(R::of(k) * time.time.hi));
-            let (first, second, third, last) = (-g1, g1 - g2, g2 - g3, g3 - g4);
-            self.difference = first;
-            self.second_difference = first - second;
-            self.third_difference = self.second_difference - (second - third);
-            self.fourth_difference = self.third_difference - ((second - third) - (third - last));
+            self.history =
+                GravityHistory::of([1.0, 2.0, 3.0, 4.0].map(|k| back(R::of(k) * time.time.hi)));
         }
         self.latitude.change = R::ZERO;
     }
 
     fn stretch(&mut self, factor: R) {
-        let differences = [
-            self.difference,
-            self.second_difference,
-            self.third_difference,
-            self.fourth_difference,
-        ];
-        [self.difference, self.second_difference, self.third_difference, self.fourth_difference] =
-            stretched(factor, differences);
+        self.history.stretch(factor);
         self.latitude.change = self.latitude.change * factor;
     }
 
@@ -208,25 +167,25 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
                 + self.fall() * time.square
                 + self.velocity.low_product(time.time, R::ONE));
         let position = self.position.value() + moved;
-        // Δv = C u + T(G₀ + ½δ − …)
         let g1 = self.latitude.gravitation(position);
         let delta = g1 - self.gravitation;
-        let (mean, differences) = self.mean_beyond_start(delta);
+        // Δv = C u + T(G₀ + ½δ − …)
+        let (mean, history) = self.history.mean(delta);
         let gained = matrix * body.velocity + (self.gravitation + mean) * t;
-        let (slope, curvature) = (delta + self.difference, delta - self.difference);
+        let (slope, curvature) = self.history.parabola(delta);
 
         // All turn with the Earth, Rz(−ωT), in the same increments.
         let turn = |x: Vector<R>| turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
         self.position.accumulate(moved + turn(position));
         self.velocity.accumulate(gained + turn(v + gained));
         self.gravitation = g1 + turn(g1);
-        self.turn_differences(differences, time);
+        self.history = Self::turned(&history, time);
         // q ← q_z(−ωT) ⊗ q ⊗ q_bb
         let turned = q * body.rotation;
         let back = turn_back(time.half_turn_sine, time.half_turn_cosine_less_one);
         self.attitude.accumulate(turned + back * (q + turned));
         self.attitude.keep_unit();
-        EarthFixedStep { matrix, slope: slope * R::HALF, curvature: curvature * R::HALF }
+        EarthFixedStep { matrix, slope, curvature }
     }
 
     #[inline]
@@ -317,16 +276,5 @@ impl<S: Accumulate + Record> Record for EarthFixed<S>
 where
     S::Real: Record,
 {
-    record!(
-        position,
-        velocity,
-        attitude,
-        gravitation,
-        gravitation_low,
-        difference,
-        second_difference,
-        third_difference,
-        fourth_difference,
-        latitude
-    );
+    record!(position, velocity, attitude, gravitation, gravitation_low, history, latitude);
 }

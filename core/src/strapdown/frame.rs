@@ -76,26 +76,6 @@ impl<R: Real> Beginning<R> {
     }
 }
 
-/// Backward differences ∇, ∇², ∇³ and ∇⁴ for steps that are ρ times as long.
-#[inline(never)]
-pub(super) fn stretched<R: Real>(rho: R, differences: [Vector<R>; 4]) -> [Vector<R>; 4] {
-    // Going back by a step is 1 − ∇, by a longer one (1 − ∇)^ρ, and ∇ ← 1 − (1 − ∇)^ρ:
-    // ∇ ← ρ(∇ + (1 − ρ)/2 (∇² + (2 − ρ)/3 (∇³ + (3 − ρ)/4 ∇⁴)))
-    // ∇² ← ρ²(∇² + (1 − ρ)(∇³ + (11 − 7ρ)/12 ∇⁴)),  ∇³ ← ρ³(∇³ + 3(1 − ρ)/2 ∇⁴),  ∇⁴ ← ρ⁴∇⁴
-    let [nabla, nabla2, nabla3, nabla4] = differences;
-    let less = R::ONE - rho;
-    let fourth = nabla3 + nabla4 * ((R::of(3.0) - rho) * R::of(0.25));
-    let third = nabla2 + fourth * ((R::TWO - rho) * R::of(1.0 / 3.0));
-    let bent = nabla3 + nabla4 * ((R::of(11.0) - R::of(7.0) * rho) * R::of(1.0 / 12.0));
-    let square = rho * rho;
-    [
-        (nabla + third * (less * R::HALF)) * rho,
-        (nabla2 + bent * less) * square,
-        (nabla3 + nabla4 * (less * R::of(1.5))) * (square * rho),
-        nabla4 * (square * square),
-    ]
-}
-
 /// Height above and below the ellipsoid, m, up to which navigation starts and goes on.
 pub(super) const FARTHEST: f64 = 1e6;
 

@@ -13,7 +13,8 @@ pub use within::LocalLevelStep;
 use super::block_time::BlockTime;
 use super::body::BodyMotion;
 use super::displacement::{Net, displacement, turned_by};
-use super::frame::{Frame, check_local, fold_longitude, stretched};
+use super::frame::{Frame, check_local, fold_longitude};
+use super::gravity_history::GravityHistory;
 use super::mechanization::Rejected;
 use super::meridian::{Meridian, curvature};
 use super::two_float::{self, Attitude, Place};
@@ -45,12 +46,8 @@ pub struct LocalLevel<S: Accumulate> {
     gravity_excess_low: S::Real,
     /// What rounding left over from Δλ + ωT; 0 without two-float products.
     longitude_rest: S::Real,
-    /// ∇, ∇² and ∇³ of plumb gravity, in the present axes.
-    difference: Vector<S::Real>,
-    second_difference: Vector<S::Real>,
-    third_difference: Vector<S::Real>,
-    /// ∇⁴, in the axes it was found in: so small that it need not turn.
-    fourth_difference: Vector<S::Real>,
+    /// Of plumb gravity, in the present axes.
+    history: GravityHistory<S::Real>,
 }
 
 /// γ − γ_e at a latitude and altitude, without cancellation; `curvature` is 1/W − 1.
@@ -121,10 +118,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             gravity_excess: excess.hi,
             gravity_excess_low: excess.lo,
             longitude_rest: R::ZERO,
-            difference: Vector::ZERO,
-            second_difference: Vector::ZERO,
-            third_difference: Vector::ZERO,
-            fourth_difference: Vector::ZERO,
+            history: GravityHistory::NONE,
         }
     }
 
@@ -133,14 +127,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
     }
 
     fn stretch(&mut self, factor: R) {
-        let differences = [
-            self.difference,
-            self.second_difference,
-            self.third_difference,
-            self.fourth_difference,
-        ];
-        [self.difference, self.second_difference, self.third_difference, self.fourth_difference] =
-            stretched(factor, differences);
+        self.history.stretch(factor);
     }
 
     #[inline(always)]
@@ -149,20 +136,16 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let q = self.attitude.value();
         let matrix = q.matrix(R::ONE);
         let velocity = self.velocity.value();
-        let (nabla, nabla2) = (self.difference, self.second_difference);
         let meridian = self.meridian();
         let omega = earth::rotation_ned(meridian.sine, meridian.cosine);
 
-        // net = C s + T²(½G̃₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³ + ³⁄₃₂∇⁴)
-        let sixth = nabla * R::of(1.0 / 6.0);
-        let small = self.third_difference * R::of(19.0 / 180.0)
-            + self.fourth_difference * R::of(3.0 / 32.0);
-        let mut fall = sixth + (nabla2 * R::of(0.125) + small);
+        // net = C s + T²(½G̃₀ + ⅙∇ + …)
+        let mut fall = self.history.twofold();
         fall.z = fall.z + self.gravity_excess * R::HALF;
         let mut once = matrix * body.position + fall * time.square;
         once.z = once.z + time.half_gravity_square.hi + time.half_gravity_square.lo;
         // ∫net = C∫s + T³(⅙G̃₀ + ¹⁄₂₄∇)
-        let mut fall = sixth * R::of(0.25);
+        let mut fall = self.history.difference * R::of(1.0 / 24.0);
         fall.z = fall.z + (R::of(EQUATORIAL_GRAVITY) + self.gravity_excess) * R::of(1.0 / 6.0);
         let twice = matrix * body.position_integral + fall * (time.square * t);
         let low = self.velocity.low_product(time.time, R::ONE);
@@ -194,16 +177,10 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         self.cosine.add(c * change.cosine_less_one - s * change.sine);
         self.curvature = curvature(self.sine.value());
         let excess = Self::excess(self.sine, self.position.altitude, self.curvature);
-        // δ, δ² = δ − ∇, δ³ = δ² − ∇², δ⁴ = δ³ − ∇³, δ⁵ = δ⁴ − ∇⁴
+        // Δw = C u + T(G̃₀ + ½δ − …) − Ω×d
         let delta = self.plumb_change(excess, turn);
-        let delta2 = delta - nabla;
-        let delta3 = delta2 - nabla2;
-        let delta4 = delta3 - self.third_difference;
-        // Δw = C u + T(G̃₁ − ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴ − ³⁄₁₆₀δ⁵) − Ω×d,  G̃₁ = G̃₀ + δ
-        let delta5 = delta4 - self.fourth_difference;
-        let small = delta3 * R::of(1.0 / 24.0)
-            + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
-        let mut mean = delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small);
+        let (mut mean, history) = self.history.mean(delta);
+        let (slope, curvature) = self.history.parabola(delta);
         let before = Pair { hi: self.gravity_excess, lo: self.gravity_excess_low };
         if !S::TWO_FLOAT {
             mean.z = mean.z + before.hi;
@@ -247,18 +224,17 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             self.attitude.accumulate(turned + back * (q + turned));
         }
         self.attitude.keep_unit();
-        self.difference = delta + back.turn_less_one(delta);
-        self.second_difference = delta2 + back.turn_less_one(delta2);
-        // To first order: a level ∇³ that stood still would leave a vertical one, always the same way.
-        let tilt = back.v.cross(delta3);
-        self.third_difference = delta3 + (tilt + tilt);
-        self.fourth_difference = delta4;
-        LocalLevelStep {
-            matrix,
-            meridian,
-            slope: (delta + nabla) * R::HALF,
-            curvature: delta2 * R::HALF,
-        }
+        // To first order for ∇³: a level one that stood still would leave a vertical one, always the same
+        // way.
+        let tilt = back.v.cross(history.third_difference);
+        self.history = GravityHistory {
+            difference: history.difference + back.turn_less_one(history.difference),
+            second_difference: history.second_difference
+                + back.turn_less_one(history.second_difference),
+            third_difference: history.third_difference + (tilt + tilt),
+            fourth_difference: history.fourth_difference,
+        };
+        LocalLevelStep { matrix, meridian, slope, curvature }
     }
 
     #[inline]
@@ -318,9 +294,6 @@ where
         gravity_excess,
         gravity_excess_low,
         longitude_rest,
-        difference,
-        second_difference,
-        third_difference,
-        fourth_difference
+        history
     );
 }

@@ -5,7 +5,7 @@
 //! scenes (`paper` has x = 1.2e-4, `hard` 0.3, `coning` 0.6, `vibration` 1.4). A spin is bounded by what the
 //! series leaves of it. Where the truth is at hand, as in a simulation, trial flights choose better.
 
-use super::mechanization::MOST_TURN;
+use super::gate::MOST_TURN;
 pub use super::window::Shape;
 use super::window::{H0B2A0, H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window};
 

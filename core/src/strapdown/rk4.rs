@@ -5,8 +5,9 @@
 //! fifth order in the step, the global one of the fourth.
 
 use super::frame::check_earth_fixed;
+use super::gate::{Gate, Limits, admit_start};
 use super::gravitation::Latitude;
-use super::mechanization::{Gate, Limits, Rejected, StartError, admit_start};
+use super::mechanization::{Rejected, StartError};
 use crate::earth::ROTATION_RATE;
 use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;

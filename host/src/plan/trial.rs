@@ -12,7 +12,7 @@ use schuler::imu;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::strapdown::mechanization::MOST_TURN;
+use schuler::strapdown::gate::MOST_TURN;
 use schuler::strapdown::plan::Shape;
 use schuler::trajectory::{Motion, Trajectory};
 

@@ -5,7 +5,8 @@ use crate::navigator::Unavailable;
 use crate::scene::Gap;
 use crate::source::{Source, SourceError};
 use schuler::link::gap::Missing;
-use schuler::strapdown::mechanization::{MOST_TURN, Rejected};
+use schuler::strapdown::gate::MOST_TURN;
+use schuler::strapdown::mechanization::Rejected;
 use std::fmt;
 
 /// Why a run ended early.

@@ -18,10 +18,7 @@ impl<R: Real, S: Accumulate<Real = R>> Plausible for EarthFixed<S> {
             & sums_within(self.velocity, R::of(MOST_SPEED))
             & sums_within(self.attitude.v, one)
             & sum_within(self.attitude.w, one)
-            & self.difference.is_within(change)
-            & self.second_difference.is_within(change)
-            & self.third_difference.is_within(change)
-            & self.fourth_difference.is_within(change);
+            & self.history.is_within(change);
         in_range
             && check_earth_fixed(position).is_ok()
             && is_attitude(self.attitude.value())

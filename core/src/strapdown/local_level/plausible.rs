@@ -26,10 +26,7 @@ impl<R: Real, S: Accumulate<Real = R>> Plausible for LocalLevel<S> {
             & sums_within(self.attitude.v, one)
             & sum_within(self.attitude.w, one)
             & self.longitude_rest.is_within(R::of(1e-3))
-            & self.difference.is_within(change)
-            & self.second_difference.is_within(change)
-            & self.third_difference.is_within(change)
-            & self.fourth_difference.is_within(change);
+            & self.history.is_within(change);
         if !in_range || check_local(c, high).is_err() || !is_attitude(self.attitude.value()) {
             return false;
         }

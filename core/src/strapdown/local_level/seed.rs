@@ -4,6 +4,7 @@ use super::super::block_time::BlockTime;
 use super::super::body::BodyMotion;
 use super::super::displacement::{Net, displacement};
 use super::super::frame::Beginning;
+use super::super::gravity_history::GravityHistory;
 use super::super::meridian::curvature;
 use super::LocalLevel;
 use crate::earth::{self, EQUATORIAL_GRAVITY, ROTATION_RATE};
@@ -22,9 +23,9 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         acceleration.z = acceleration.z + (R::of(EQUATORIAL_GRAVITY) + self.gravity_excess);
         let meridian = self.meridian();
         let omega = earth::rotation_ned(meridian.sine, meridian.cosine);
-        self.difference = Vector::ZERO;
+        self.history = GravityHistory::NONE;
         for _ in 0..2 {
-            let jerk = force.rate + self.difference * (R::ONE / time.time.hi);
+            let jerk = force.rate + self.history.difference * (R::ONE / time.time.hi);
             let back = |t: R| {
                 let net = Net::of_parabola(acceleration, jerk, force.rate_growth, t);
                 let v = self.velocity.value();
@@ -39,14 +40,8 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
                 self.plumb_change(excess, turn)
             };
             // From G̃₀, which is the zero here.
-            let (g1, g2) = (back(-time.time.hi), back(-(R::TWO * time.time.hi)));
-            let g3 = back(-(R::of(3.0) * time.time.hi));
-            let g4 = back(-(R::of(4.0) * time.time.hi));
-            let (first, second, third, last) = (-g1, g1 - g2, g2 - g3, g3 - g4);
-            self.difference = first;
-            self.second_difference = first - second;
-            self.third_difference = self.second_difference - (second - third);
-            self.fourth_difference = self.third_difference - ((second - third) - (third - last));
+            self.history =
+                GravityHistory::of([1.0, 2.0, 3.0, 4.0].map(|k| back(-(R::of(k) * time.time.hi))));
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use super::super::body::BodyMotion;
 use super::super::frame::Frame;
-use super::super::mechanization::{Mechanization, Rejected, StartError, admit_held};
+use super::super::gate::admit_held;
+use super::super::mechanization::{Mechanization, Rejected, StartError};
 use super::super::plausible::Damaged;
 use super::super::window::Window;
 use super::{Edges, State, Strapdown};

@@ -13,9 +13,8 @@ pub use earth_fixed::EarthFixedTextbook;
 pub use local_level::LocalLevelTextbook;
 
 use super::frame::Output;
-use super::mechanization::{
-    Gate, Limits, Mechanization, Rejected, StartError, admit_held, admit_start,
-};
+use super::gate::{Gate, Limits, admit_held, admit_start};
+use super::mechanization::{Mechanization, Rejected, StartError};
 use super::plausible::{Damaged, MOST_COUNTED, Plausible};
 use super::unequal::UnequalIntervals;
 use crate::math::compensated::Pair;

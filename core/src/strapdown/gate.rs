@@ -1,0 +1,170 @@
+//! What can be right: initial solutions, samples and verticals to hold are admitted or refused here.
+
+use super::frame::FARTHEST;
+use super::mechanization::{Rejected, StartError};
+use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
+use crate::math::compensated::Pair;
+use crate::math::real::Real;
+use crate::math::twin::Twin as _;
+use crate::math::vector::Vector;
+use crate::sample::Increment;
+use crate::solution::Solution;
+use core::hint::black_box;
+
+/// Velocity, m/s, that navigation starts with at most.
+const FASTEST: f64 = 1e5;
+
+/// The largest angle that a block may turn by about one axis, rad: the series of a step are cut short,
+/// and are made for less.
+pub const MOST_TURN: f64 = 2.0;
+
+/// The largest readings that can be right.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Limits<R> {
+    /// Angular rate, rad/s.
+    pub angular_rate: R,
+    /// Specific force, m/s².
+    pub specific_force: R,
+}
+
+impl<R: Real> Default for Limits<R> {
+    /// 10⁵ °/s and 10⁵ m/s².
+    fn default() -> Self {
+        Self {
+            angular_rate: R::of(1e5 * core::f64::consts::PI / 180.0),
+            specific_force: R::of(1e5),
+        }
+    }
+}
+
+/// The limits over one sample.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) struct Gate<R> {
+    /// The limit, and what a block may turn by if that is less.
+    most_angle: R,
+    limit: R,
+    most_velocity: R,
+    /// What a sample of any interval may turn by, rad.
+    most_turn: R,
+    limits: Limits<R>,
+}
+
+/// Whether a number is positive, finite and neither vanishing nor huge.
+#[inline]
+fn is_positive<R: Real>(x: R) -> bool {
+    x.is_within(R::of(1e30)) & !R::any(x.less(R::of(1e-30)))
+}
+
+/// Whether an interval can be one of a sample: above 0 s and at most 1 s.
+#[inline]
+fn is_interval<R: Real>(interval_s: R) -> bool {
+    is_positive(interval_s) & interval_s.is_within(R::ONE)
+}
+
+impl<R: Real> Gate<R> {
+    /// For samples of an interval in seconds, so many to a block.
+    pub fn new(interval_s: R, limits: Limits<R>, block: usize) -> Result<Self, StartError> {
+        if !is_interval(interval_s) {
+            return Err(StartError::Interval);
+        }
+        if !is_positive(limits.angular_rate) || !is_positive(limits.specific_force) {
+            return Err(StartError::Limits);
+        }
+        let most_turn = R::of(MOST_TURN) / R::count(block as u32);
+        Ok(Self::of(interval_s, limits, most_turn))
+    }
+
+    fn of(interval_s: R, limits: Limits<R>, most_turn: R) -> Self {
+        let limit = limits.angular_rate * interval_s;
+        Self {
+            most_angle: R::select(most_turn.less(limit), most_turn, limit),
+            limit,
+            most_velocity: limits.specific_force * interval_s,
+            most_turn,
+            limits,
+        }
+    }
+
+    /// Whether a sample of an interval of its own can be right.
+    #[inline]
+    pub fn admit_over(&self, sample: &Increment<R>, interval_s: R) -> Result<(), Rejected> {
+        if is_interval(interval_s) {
+            Self::of(interval_s, self.limits, self.most_turn).admit(sample)
+        } else {
+            Err(Rejected::Interval)
+        }
+    }
+
+    /// Whether a sample can be right.
+    #[inline(always)]
+    pub fn admit(&self, sample: &Increment<R>) -> Result<(), Rejected> {
+        let (angle, velocity) = (self.most_angle, self.most_velocity);
+        let bounds = Increment {
+            angle_b: Vector::new(angle, angle, angle),
+            velocity_b: Vector::new(velocity, velocity, velocity),
+        };
+        if R::Twin::all_within(sample.twins(), bounds.twins()) {
+            Ok(())
+        } else if sample.angle_b.is_within(angle) {
+            Err(Rejected::Velocity)
+        } else if sample.angle_b.is_within(self.limit) {
+            Err(Rejected::Turn)
+        } else {
+            Err(Rejected::Angle)
+        }
+    }
+}
+
+/// Whether the processor computes with subnormal numbers, as IEEE 754 has it.
+#[inline(never)]
+pub fn subnormals_survive<R: Real>() -> bool {
+    // Half of the smallest normal number, and twice that again: both exact.
+    let normal = black_box(R::entry(f32::MIN_POSITIVE, f64::MIN_POSITIVE));
+    let subnormal = black_box(normal * R::HALF);
+    let back = subnormal + subnormal;
+    !R::any(back.less(normal)) & !R::any(normal.less(back))
+}
+
+/// Whether a height and a vertical velocity can be right.
+pub(super) fn admit_held<R: Real>(altitude: R, down: R) -> Result<(), Rejected> {
+    if altitude.is_within(R::of(FARTHEST)) & down.is_within(R::of(FASTEST)) {
+        Ok(())
+    } else {
+        Err(Rejected::Held)
+    }
+}
+
+/// An initial solution, if it can be right, its attitude brought to unit length.
+pub(super) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>, StartError> {
+    if !subnormals_survive::<R>() {
+        return Err(StartError::FlushToZero);
+    }
+    // A remainder that is not finite shows in the sum.
+    let position = initial.position.map(|c| c.hi + c.lo);
+    let pole = R::of(core::f64::consts::FRAC_PI_2 * (1.0 + 1e-7));
+    let on_earth = position.latitude.is_within(pole)
+        & position.longitude.is_within(R::of(core::f64::consts::TAU))
+        // Where the shell that Earth-fixed navigation stays in is widest; the frame itself is asked, too.
+        & position.altitude.is_within(R::of(FARTHEST + SEMI_MAJOR_AXIS - SEMI_MINOR_AXIS));
+    if !on_earth {
+        return Err(StartError::Position);
+    }
+    if !initial.velocity_ned.map(|c| c.hi + c.lo).is_within(R::of(FASTEST)) {
+        return Err(StartError::Velocity);
+    }
+    let q = initial.attitude.map(|c| c.hi + c.lo);
+    if !(q.dot(q) - R::ONE).is_within(R::of(2e-3)) {
+        return Err(StartError::Attitude);
+    }
+    let mut admitted = *initial;
+    for _ in 0..3 {
+        // q ← q(3 − |q|²)/2
+        let q = admitted.attitude;
+        let square = q.w * q.w + q.v.dot(q.v);
+        let scale = (Pair::new(R::of(3.0)) - square) * Pair::new(R::HALF);
+        admitted.attitude = q * scale;
+    }
+    Ok(admitted)
+}

@@ -1,0 +1,209 @@
+//! A mechanization in flight: samples are narrowed, states digested, rows widened.
+
+use super::{Navigate, Reader};
+use crate::flight::{Edges, Used};
+use crate::lanes::abreast::Refused;
+use schuler::digest::Digest;
+use schuler::math::compensated::Pair;
+use schuler::math::real::Scalar;
+use schuler::record::Record;
+use schuler::sample::Increment;
+use schuler::sensor::carried::Carried;
+use schuler::solution::Solution;
+use schuler::strapdown::frame::Output;
+use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
+use schuler::strapdown::newton;
+use schuler::strapdown::unequal::UnequalIntervals;
+
+/// One of the core's mechanizations with its state.
+pub(super) struct Flying<M: Mechanization> {
+    mechanization: M,
+    /// The nominal interval, s.
+    interval_s: Pair<M::Real>,
+    initial: Solution<M::Real>,
+    state: M::State,
+    carried: Carried,
+    /// What the intervals handed over lack of those taken in, s.
+    interval_rest: f64,
+    digest: Digest,
+}
+
+impl<M> Flying<M>
+where
+    M: UnequalIntervals<Real: Scalar + Send, Frame: Record, State: Send> + Send + 'static,
+{
+    pub(super) fn boxed(
+        mechanization: M,
+        interval_s: Pair<M::Real>,
+        initial: &Solution<f64>,
+    ) -> Result<Box<dyn Navigate>, StartError> {
+        let initial = Solution::narrow(initial);
+        let state = mechanization.start(&initial)?;
+        let (carried, digest) = Default::default();
+        let interval_rest = 0.0;
+        Ok(Box::new(Self {
+            mechanization,
+            interval_s,
+            initial,
+            state,
+            carried,
+            interval_rest,
+            digest,
+        }))
+    }
+}
+
+/// Samples with a carried rest.
+fn narrow<R: Scalar>(samples: &[Increment<f64>], carried: &mut Carried) -> Vec<Increment<R>> {
+    samples.iter().map(|sample| carried.narrow(sample)).collect()
+}
+
+/// Hands rows on in double precision. One type for all uses: each is a copy of the navigator.
+fn wide<R: Scalar, O: Output<R>>(read: &mut Reader) -> impl FnMut(u64, O) {
+    move |n, row: O| read(n, &row.wide())
+}
+
+/// Takes a sample, and reads the rows that it completes: once for each mechanization, whoever flies it.
+#[inline(never)]
+pub fn push<M: Mechanization<Real: Scalar>>(
+    mechanization: &M,
+    state: &mut M::State,
+    sample: Increment<M::Real>,
+    read: &mut Reader,
+) -> Result<(), Rejected> {
+    mechanization.push_rows(state, sample, wide(read))
+}
+
+/// Takes a sample of its own interval, and reads the rows that it completes.
+#[inline(never)]
+fn push_over<M: UnequalIntervals<Real: Scalar>>(
+    mechanization: &M,
+    state: &mut M::State,
+    sample: Increment<M::Real>,
+    interval_s: Pair<M::Real>,
+    read: &mut Reader,
+) -> Result<(), Rejected> {
+    mechanization.push_rows_over(state, sample, interval_s, wide(read))
+}
+
+/// Completes the rows that wait for samples, and reads them.
+#[inline(never)]
+pub fn finish<M: Mechanization<Real: Scalar>>(
+    mechanization: &M,
+    state: &mut M::State,
+    read: &mut Reader,
+) {
+    mechanization.finish_rows(state, wide(read));
+}
+
+/// Takes samples without reading a row; stops before one that is refused.
+#[inline(never)]
+fn fly<M: Mechanization>(
+    mechanization: &M,
+    state: &mut M::State,
+    samples: &[Increment<M::Real>],
+) -> Result<(), Refused> {
+    for (taken, &sample) in samples.iter().enumerate() {
+        let pushed = mechanization.push(state, sample);
+        pushed.map_err(|reason| Refused { taken, reason })?;
+    }
+    Ok(())
+}
+
+impl<M> Navigate for Flying<M>
+where
+    M: UnequalIntervals<Real: Scalar + Send, Frame: Record, State: Send> + Send + 'static,
+{
+    fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected> {
+        let mut carried = self.carried;
+        let sample = carried.narrow(sample);
+        let before = M::integrated(&self.state);
+        push(&self.mechanization, &mut self.state, sample, read)?;
+        self.carried = carried;
+        if M::integrated(&self.state) != before {
+            self.digest.add(M::frame(&self.state));
+        }
+        Ok(())
+    }
+
+    fn push_over(
+        &mut self,
+        sample: &Increment<f64>,
+        interval_s: f64,
+        read: &mut Reader,
+    ) -> Result<(), Rejected> {
+        let nominal = self.interval_s;
+        if interval_s == nominal.widen() || Pair::narrow(Pair::new(interval_s)) == nominal {
+            return self.push(sample, read);
+        }
+        let mut carried = self.carried;
+        let sample = carried.narrow(sample);
+        let exact = Pair::sum(interval_s, self.interval_rest);
+        let interval = Pair::<M::Real>::narrow(exact);
+        let narrowed = interval.widen_pair();
+        let before = M::integrated(&self.state);
+        push_over(&self.mechanization, &mut self.state, sample, interval, read)?;
+        self.carried = carried;
+        self.interval_rest = (exact.hi - narrowed.hi) + (exact.lo - narrowed.lo);
+        if M::integrated(&self.state) != before {
+            self.digest.add(M::frame(&self.state));
+        }
+        Ok(())
+    }
+
+    fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), Refused> {
+        let samples = narrow(samples, &mut self.carried);
+        fly(&self.mechanization, &mut self.state, &samples)
+    }
+
+    fn solution(&self) -> Solution<f64> {
+        self.mechanization.output(&self.state).wide()
+    }
+
+    fn finish(&mut self, read: &mut Reader) {
+        finish(&self.mechanization, &mut self.state, read);
+        self.digest.add(M::frame(&self.state));
+    }
+
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected> {
+        let narrow = |x| M::Real::narrow(x);
+        self.mechanization.hold_vertical(&mut self.state, narrow(altitude_m), narrow(down_m_s))
+    }
+
+    fn integrated(&self) -> u64 {
+        M::integrated(&self.state)
+    }
+
+    fn edges(&self) -> Option<Edges> {
+        let used = |used: newton::Used<M::Real>| {
+            let [gyro, accelerometer] = [used.gyro, used.accelerometer].map(|n| n.widen() as u32);
+            (gyro > 0).then_some(Used { gyro, accelerometer })
+        };
+        let edges = M::edges(&self.state)?;
+        Some(Edges { first: used(edges.first), last: used(edges.last) })
+    }
+
+    fn digest(&self) -> u64 {
+        self.digest.value()
+    }
+
+    fn fly_unread(
+        &self,
+        before: &[Increment<f64>],
+        samples: &[Increment<f64>],
+    ) -> Box<dyn FnMut() + '_> {
+        let mut carried = Carried::default();
+        let (before, samples) = (narrow(before, &mut carried), narrow(samples, &mut carried));
+        // What cannot be right was refused in the run itself.
+        let start = self.mechanization.start(&self.initial).map(|mut state| {
+            let _ = fly(&self.mechanization, &mut state, &before);
+            state
+        });
+        Box::new(move || {
+            if let Ok(mut state) = start {
+                let _ = fly(&self.mechanization, &mut state, &samples);
+                std::hint::black_box(&state);
+            }
+        })
+    }
+}

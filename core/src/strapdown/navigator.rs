@@ -186,10 +186,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             self.edge_block(state, past, W::BLOCK, W::FIRST, read);
         }
         while state.pending >= W::BLOCK + W::LOOKAHEAD {
-            if self.is_nominal(state, W::HISTORY, W::SAMPLES) {
-                self.whole_block(state, read);
+            if W::UNEQUAL {
+                self.any_block(state, read);
             } else {
-                self.unequal_block(state, W::SHAPE, false, read);
+                self.whole_block(state, read);
             }
         }
         Ok(())

@@ -157,7 +157,8 @@ impl<W: Window> Window for Unequal<W> {
         W::samples(fill)
     }
 
-    #[inline(always)]
+    // One code for all frames and readers, here and below.
+    #[inline(never)]
     fn integrate_behind<R: Real>(
         seen: &[Increment<R>],
         half_time_s: R,
@@ -167,7 +168,7 @@ impl<W: Window> Window for Unequal<W> {
         W::integrate_behind(seen, half_time_s, order, two_float)
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn integrate<R: Real>(
         samples: &[Increment<R>],
         half_time_s: R,

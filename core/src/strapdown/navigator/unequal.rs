@@ -59,6 +59,16 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         excess.fold(true, |nominal, x| nominal & x.is_within(R::ZERO))
     }
 
+    /// A block of samples that may differ in length: one code for `push` and `push_over`.
+    #[inline(never)]
+    pub(super) fn any_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
+        if self.is_nominal(state, W::HISTORY, W::SAMPLES) {
+            self.whole_block(state, read);
+        } else {
+            self.unequal_block(state, W::SHAPE, false, read);
+        }
+    }
+
     /// A block of `block` samples with `history` before it and `lookahead` after it; `edge` at the first
     /// and the last ones.
     #[inline(never)]

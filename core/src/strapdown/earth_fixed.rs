@@ -82,16 +82,15 @@ impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
         self.gravitation * R::HALF + self.history.twofold()
     }
 
-    /// Turns what the next block finds as ∇ to ∇⁴ with the Earth.
+    /// Turns the history with the Earth, as far as its digits go.
     #[inline(always)]
-    fn turned(history: &GravityHistory<R>, time: &BlockTime<R>) -> GravityHistory<R> {
-        let turned = |x: Vector<R>| x + turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
-        GravityHistory {
-            difference: turned(history.difference),
-            second_difference: turned(history.second_difference),
-            third_difference: turned(history.third_difference),
-            fourth_difference: history.fourth_difference,
-        }
+    fn turn_history(&mut self, time: &BlockTime<R>) {
+        let turn = |x: &mut Vector<R>| {
+            *x = *x + turn_less_one(*x, time.turn_sine, time.turn_cosine_less_one);
+        };
+        turn(&mut self.history.difference);
+        turn(&mut self.history.second_difference);
+        turn(&mut self.history.third_difference);
     }
 }
 
@@ -143,7 +142,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
                 high + (there.map(|c| c.lo) - self.gravitation_low)
             };
             self.history =
-                GravityHistory::of([1.0, 2.0, 3.0, 4.0].map(|k| back(R::of(k) * time.time.hi)));
+                GravityHistory::of([1, 2, 3, 4].map(|k| back(R::count(k) * time.time.hi)));
         }
         self.latitude.change = R::ZERO;
     }
@@ -170,16 +169,16 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let g1 = self.latitude.gravitation(position);
         let delta = g1 - self.gravitation;
         // Δv = C u + T(G₀ + ½δ − …)
-        let (mean, history) = self.history.mean(delta);
-        let gained = matrix * body.velocity + (self.gravitation + mean) * t;
         let (slope, curvature) = self.history.parabola(delta);
+        let mean = self.history.advance(delta);
+        let gained = matrix * body.velocity + (self.gravitation + mean) * t;
 
         // All turn with the Earth, Rz(−ωT), in the same increments.
         let turn = |x: Vector<R>| turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
         self.position.accumulate(moved + turn(position));
         self.velocity.accumulate(gained + turn(v + gained));
         self.gravitation = g1 + turn(g1);
-        self.history = Self::turned(&history, time);
+        self.turn_history(time);
         // q ← q_z(−ωT) ⊗ q ⊗ q_bb
         let turned = q * body.rotation;
         let back = turn_back(time.half_turn_sine, time.half_turn_cosine_less_one);

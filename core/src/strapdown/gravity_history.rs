@@ -10,7 +10,7 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::record::{Record, record};
 
-/// ∇ to ∇⁴ of gravity, m/s², in the axes of the block's start.
+/// ∇ to ∇⁴ of gravity, m/s².
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct GravityHistory<R> {
@@ -54,23 +54,23 @@ impl<R: Real> GravityHistory<R> {
         self.difference * R::of(1.0 / 6.0) + (self.second_difference * R::of(0.125) + small)
     }
 
-    /// The mean over the block beyond G₀, from δ; and δ to δ⁴, which are the next block's ∇ to ∇⁴ in the
-    /// axes of this one.
+    /// Takes δ: returns the mean over the block beyond G₀, and goes on with δ to δ⁴, the next block's ∇ to
+    /// ∇⁴ in the axes of this one.
     #[inline(always)]
-    pub fn mean(&self, delta: Vector<R>) -> (Vector<R>, Self) {
+    pub fn advance(&mut self, delta: Vector<R>) -> Vector<R> {
         let delta2 = delta - self.difference;
         let delta3 = delta2 - self.second_difference;
         let delta4 = delta3 - self.third_difference;
         let delta5 = delta4 - self.fourth_difference;
-        let small = delta3 * R::of(1.0 / 24.0)
-            + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
-        let next = Self {
+        *self = Self {
             difference: delta,
             second_difference: delta2,
             third_difference: delta3,
             fourth_difference: delta4,
         };
-        (delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small), next)
+        let small = delta3 * R::of(1.0 / 24.0)
+            + (delta4 * R::of(19.0 / 720.0) + delta5 * R::of(3.0 / 160.0));
+        delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small)
     }
 
     /// Half of G₁ − G₋₁ and of G₁ − 2G₀ + G₋₁: what gravity does over the block, as a parabola.

@@ -179,8 +179,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let excess = Self::excess(self.sine, self.position.altitude, self.curvature);
         // Δw = C u + T(G̃₀ + ½δ − …) − Ω×d
         let delta = self.plumb_change(excess, turn);
-        let (mut mean, history) = self.history.mean(delta);
         let (slope, curvature) = self.history.parabola(delta);
+        let mut mean = self.history.advance(delta);
         let before = Pair { hi: self.gravity_excess, lo: self.gravity_excess_low };
         if !S::TWO_FLOAT {
             mean.z = mean.z + before.hi;
@@ -224,16 +224,13 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             self.attitude.accumulate(turned + back * (q + turned));
         }
         self.attitude.keep_unit();
-        // To first order for ∇³: a level one that stood still would leave a vertical one, always the same
-        // way.
+        let history = &mut self.history;
+        history.difference = history.difference + back.turn_less_one(history.difference);
+        history.second_difference =
+            history.second_difference + back.turn_less_one(history.second_difference);
+        // To first order: a level ∇³ that stood still would leave a vertical one, always the same way.
         let tilt = back.v.cross(history.third_difference);
-        self.history = GravityHistory {
-            difference: history.difference + back.turn_less_one(history.difference),
-            second_difference: history.second_difference
-                + back.turn_less_one(history.second_difference),
-            third_difference: history.third_difference + (tilt + tilt),
-            fourth_difference: history.fourth_difference,
-        };
+        history.third_difference = history.third_difference + (tilt + tilt);
         LocalLevelStep { matrix, meridian, slope, curvature }
     }
 

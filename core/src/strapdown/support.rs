@@ -91,7 +91,8 @@ impl<R: Real> Differences<R> {
     pub fn power(&self, k: usize) -> Option<[R; 2]> {
         let there = self.count.checked_sub(u32::try_from(k).ok()?).filter(|&there| there > 0)?;
         let sum = self.sums.get(k)?;
-        let of_noise = R::count(there) * R::of(central_binomial(k));
+        let &of_one = OF_NOISE.get(k)?;
+        let of_noise = R::count(there) * R::entry(of_one, f64::from(of_one));
         Some(sum.map(|sum| sum / of_noise))
     }
 
@@ -110,6 +111,18 @@ impl<R: Real> Differences<R> {
 fn square<R: Real>(x: Vector<R>) -> R {
     x.dot(x)
 }
+
+/// C(2k, k), up to k = 14: all of them exact in single precision.
+const OF_NOISE: [f32; MOST_SAMPLES + 1] = {
+    let mut binomials = [0.0; MOST_SAMPLES + 1];
+    let mut k = 0;
+    while k <= MOST_SAMPLES {
+        binomials[k] = central_binomial(k) as f32;
+        assert!(binomials[k] as f64 == central_binomial(k));
+        k += 1;
+    }
+    binomials
+};
 
 /// C(2k, k), up to k = 14.
 pub(super) const fn central_binomial(k: usize) -> f64 {

@@ -176,21 +176,25 @@ impl<S: Accumulate> Quaternion<S> {
     #[inline(always)]
     pub fn keep_unit(&mut self) {
         let q = self.value();
-        let excess = (q.dot(q) - S::Real::ONE).abs();
-        let long = longest_excess::<S::Real>().less(excess);
+        let excess = q.dot(q) - S::Real::ONE;
+        let long = longest_excess::<S::Real>().less(excess.abs());
         if S::Real::any(long) {
-            self.shorten(long);
+            self.shorten(excess, long);
         }
     }
 
-    /// q ← q + ½q(1 − |q|²) where the mask holds, |q|² to twice the digits.
+    /// q ← q − ½q(|q|² − 1) where the mask holds; in two-float numbers |q|² to all their digits.
     #[inline(never)]
-    fn shorten(&mut self, long: <S::Real as Real>::Mask) {
-        let q = self.pair();
-        let square = q.w * q.w + q.v.dot(q.v);
-        let half = (Pair::new(S::Real::ONE) - square) * Pair::new(S::Real::HALF);
+    fn shorten(&mut self, excess: S::Real, long: <S::Real as Real>::Mask) {
         let mut unit = *self;
-        unit.accumulate_pair(q * half);
+        if S::TWO_FLOAT {
+            let q = self.pair();
+            let square = q.w * q.w + q.v.dot(q.v);
+            let half = (Pair::new(S::Real::ONE) - square) * Pair::new(S::Real::HALF);
+            unit.accumulate_pair(q * half);
+        } else {
+            unit.accumulate(self.value() * (excess * -S::Real::HALF));
+        }
         self.w = S::select(long, unit.w, self.w);
         self.v = unit.v.zip(self.v, |unit, q| S::select(long, unit, q));
     }

@@ -109,7 +109,8 @@ impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
         let g1_low = g1.map(|c| c.lo);
         let g1 = g1.map(|c| c.hi);
         let delta = (g1 - g0) + (g1_low - low);
-        let (mean, history) = self.history.mean(delta);
+        let (slope, curvature) = self.history.parabola(delta);
+        let mean = self.history.advance(delta);
         let pull = g0.zip(low, |hi, lo| Pair { hi, lo } * time.time);
         let pulled = attitude.rotated(body).zip(pull, |a, b| a + b);
         let gained = pulled.zip(mean * t, |a, b| a + Pair::new(b));
@@ -126,8 +127,7 @@ impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
         let turned = turned.zip(turn(turned), |a, b| a + b);
         self.gravitation = turned.map(|c| c.hi);
         self.gravitation_low = turned.map(|c| c.lo);
-        let (slope, curvature) = self.history.parabola(delta);
-        self.history = Self::turned(&history, time);
+        self.turn_history(time);
         // q ← q_z(−ωT) ⊗ q ⊗ q_bb
         let half = Pair { hi: time.turn.hi * R::HALF, lo: time.turn.lo * R::HALF };
         let axis = Vector::new(Pair::default(), Pair::default(), small_sine(half));

@@ -41,7 +41,7 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
             };
             // From G̃₀, which is the zero here.
             self.history =
-                GravityHistory::of([1.0, 2.0, 3.0, 4.0].map(|k| back(-(R::of(k) * time.time.hi))));
+                GravityHistory::of([1, 2, 3, 4].map(|k| back(-(R::count(k) * time.time.hi))));
         }
     }
 }

@@ -142,7 +142,9 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
     /// use schuler::strapdown::window::H2B4A2;
     ///
     /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
-    /// # let initial = schuler::solution::Solution::default();
+    /// # use schuler::solution::{Euler, Solution};
+    /// # let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
+    /// # let initial = Solution::new(Default::default(), Default::default(), level);
     /// # let sample = Increment::ZERO;
     /// // 100 Hz; a counter of microseconds has the interval of each sample.
     /// let navigator = Strapdown::<LocalLevel<Pair<f32>>, Unequal<H2B4A2>>::new(Pair::of(0.01))?;

@@ -16,13 +16,18 @@
 //!
 //!   δθ = ∫χ_θ × ω dt,  δv = ∫(χ_θ × f + χ_v × ω) dt,
 //!
-//! ω and f by the cubic through the four samples' increments. With ±: x_k ± x_{−1−k}, and so k ≥ 0 alone, that
-//! is a sum over two samples of products with two linear functions of all. In smooth motion it is of the order
-//! of the fit's own error, which it lessens.
+//! ω and f by the cubic through the four samples' increments. With k ≥ 0 alone, in sums x_k + x_{−1−k} and
+//! differences x_k − x_{−1−k}, that is
+//!
+//!   S₀ × (difference 0) + S₁ × (difference 1) + D₀ × (sum 0) + D₁ × (sum 1),
+//!
+//! S_i a linear function of all sums, D_i of all differences. In smooth motion it is of the order of the fit's
+//! own error, which it lessens.
 
-use super::fit::{each, rounded};
+use super::fit::rounded;
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
+use crate::math::vector::Vector;
 use crate::sample::Increment;
 
 /// Samples of a block: as many before its window are looked at.
@@ -34,21 +39,26 @@ const ROOM: usize = 18;
 /// The least common multiple of 1 … 17.
 const MULTIPLE: i128 = 12_252_240;
 
-/// What sums (first) and differences (second) of opposite samples, M pairs, weigh in X_i: X_i of the sums is
-/// multiplied by the difference of the pair i, and the other way round.
-pub type Weights<T, const M: usize> = [[[T; M]; SIDE]; 2];
+/// What sums and differences of M pairs of opposite samples weigh.
+#[derive(Clone, Copy, Debug)]
+pub struct Weights<T, const M: usize> {
+    /// In S₀ and S₁.
+    sums: [[T; M]; SIDE],
+    /// In D₀ and D₁.
+    differences: [[T; M]; SIDE],
+}
 
 /// The weights for the window of P = 2M − B samples.
-pub const fn table_f64<const M: usize>() -> Weights<f64, M> {
+pub const fn weights_f64<const M: usize>() -> Weights<f64, M> {
     let (table, denominator) = table::<M>();
-    let mut weights = [[[0.0; M]; SIDE]; 2];
+    let mut weights = Weights { sums: [[0.0; M]; SIDE], differences: [[0.0; M]; SIDE] };
     let mut i = 0;
     while i < SIDE {
         let mut k = 0;
         while k < M {
-            let (a, b) = (table[i][M + k], table[i][M - 1 - k]);
-            weights[0][i][k] = rounded(a + b, 2 * denominator);
-            weights[1][i][k] = rounded(a - b, 2 * denominator);
+            let (after, before) = (table[i][M + k], table[i][M - 1 - k]);
+            weights.sums[i][k] = rounded(after + before, 2 * denominator);
+            weights.differences[i][k] = rounded(after - before, 2 * denominator);
             k += 1;
         }
         i += 1;
@@ -57,15 +67,15 @@ pub const fn table_f64<const M: usize>() -> Weights<f64, M> {
 }
 
 /// The same in single precision.
-pub const fn table_f32<const M: usize>() -> Weights<f32, M> {
-    let double = table_f64::<M>();
-    let mut weights = [[[0.0; M]; SIDE]; 2];
+pub const fn weights_f32<const M: usize>() -> Weights<f32, M> {
+    let double = weights_f64::<M>();
+    let mut weights = Weights { sums: [[0.0; M]; SIDE], differences: [[0.0; M]; SIDE] };
     let mut i = 0;
     while i < SIDE {
         let mut k = 0;
         while k < M {
-            weights[0][i][k] = double[0][i][k] as f32;
-            weights[1][i][k] = double[1][i][k] as f32;
+            weights.sums[i][k] = double.sums[i][k] as f32;
+            weights.differences[i][k] = double.differences[i][k] as f32;
             k += 1;
         }
         i += 1;
@@ -96,12 +106,12 @@ const fn table<const M: usize>() -> ([[i128; 2 * ROOM]; SIDE], i128) {
             while m != j - half {
                 let (step, sign) = if m < j - half { (1, 1) } else { (-1, -1) };
                 let lower = if step > 0 { m } else { m - 1 };
-                let product = product(lower + 1, p, &cubic);
+                let product = multiplied(&cubic, lower + 1, p);
                 let share = sign * (p as i128 + 1) * integral(&product, j);
                 difference(&mut table[i], M, lower, p, share);
                 m += step;
             }
-            let product = product(j - half, p + 1, &cubic);
+            let product = multiplied(&cubic, j - half, p + 1);
             difference(&mut table[i], M, j - half, p, integral(&product, j));
             j += 1;
         }
@@ -160,7 +170,7 @@ const fn times(polynomial: &[i128; ROOM], n: i128) -> [i128; ROOM] {
 }
 
 /// A polynomial times Π(t − n) over so many n from the first on.
-const fn product(first: i128, count: usize, polynomial: &[i128; ROOM]) -> [i128; ROOM] {
+const fn multiplied(polynomial: &[i128; ROOM], first: i128, count: usize) -> [i128; ROOM] {
     let mut product = *polynomial;
     let mut n = 0;
     while n < count {
@@ -185,37 +195,47 @@ const fn integral(polynomial: &[i128; ROOM], j: i128) -> i128 {
 
 /// δθ and δv, from the window's samples and the block's length of them before.
 #[inline(always)]
-pub fn correction<R: Real, const N: usize, const M: usize>(
+pub fn lacking<R: Real, const N: usize, const M: usize>(
     samples: &[Increment<R>; N],
     single: &Weights<f32, M>,
     double: &Weights<f64, M>,
 ) -> Increment<R> {
     const { assert!(N == 2 * M && M >= SIDE) };
-    let none = [R::Twin::both(R::ZERO); 3];
-    let (mut sums, mut differences) = ([none; M], [none; M]);
+    // Δθ and Δv side by side.
+    let side_by_side = |k: usize| samples[k].angle_b.zip(samples[k].velocity_b, R::Twin::new);
+    let pair = |k: usize| {
+        let (after, before) = (side_by_side(M + k), side_by_side(M - 1 - k));
+        [after + before, after - before]
+    };
+    let weight = |single: f32, double: f64| R::Twin::both(R::entry(single, double));
+    let none = Vector::new((), (), ()).map(|()| R::Twin::both(R::ZERO));
+    let (mut s, mut d) = ([none; SIDE], [none; SIDE]);
     for k in 0..M {
-        let (a, b) = (samples[M + k].twins(), samples[M - 1 - k].twins());
-        sums[k] = each(a, b, |a, b| a + b);
-        differences[k] = each(a, b, |a, b| a - b);
+        let [sum, difference] = pair(k);
+        for i in 0..SIDE {
+            s[i] = s[i] + sum * weight(single.sums[i][k], double.sums[i][k]);
+            d[i] = d[i] + difference * weight(single.differences[i][k], double.differences[i][k]);
+        }
     }
     let mut lacking = Increment::ZERO;
-    for (kind, (seen, by)) in [(&sums, &differences), (&differences, &sums)].into_iter().enumerate()
-    {
-        for i in 0..SIDE {
-            let mut x = none;
-            for k in 0..M {
-                let weight = R::entry(single[kind][i][k], double[kind][i][k]);
-                let weight = R::Twin::both(weight);
-                x = each(x, seen[k], |sum, x| sum + x * weight);
-            }
-            let (x, by) = (Increment::<R>::from_twins(x), Increment::<R>::from_twins(by[i]));
-            let Increment { angle_b, velocity_b } = lacking;
-            lacking = Increment {
-                angle_b: angle_b + x.angle_b.cross(by.angle_b),
-                velocity_b: velocity_b
-                    + (x.angle_b.cross(by.velocity_b) + x.velocity_b.cross(by.angle_b)),
-            };
+    for i in 0..SIDE {
+        let [sum, difference] = pair(i);
+        for (x, by) in [(s[i], difference), (d[i], sum)] {
+            let Increment { angle_b, velocity_b } = product::<R>(x, by);
+            lacking.angle_b = lacking.angle_b + angle_b;
+            lacking.velocity_b = lacking.velocity_b + velocity_b;
         }
     }
     lacking
+}
+
+/// χ_θ × Δθ and χ_θ × Δv + χ_v × Δθ.
+#[inline(always)]
+fn product<R: Real>(x: Vector<R::Twin>, by: Vector<R::Twin>) -> Increment<R> {
+    let both = x.cross(by.map(|c| R::Twin::both(c.parts().0)));
+    let crossed = x.map(|c| c.parts().0).cross(by.map(|c| c.parts().1));
+    Increment {
+        angle_b: both.map(|c| c.parts().0),
+        velocity_b: both.map(|c| c.parts().1) + crossed,
+    }
 }

@@ -99,10 +99,10 @@ macro_rules! fit {
 macro_rules! lacking {
     (alike, $k:literal, $seen:ident) => {{
         const PAIRS: usize = ($k + alike::BLOCK) / 2;
-        const SINGLE: &alike::Weights<f32, PAIRS> = &alike::table_f32();
-        const DOUBLE: &alike::Weights<f64, PAIRS> = &alike::table_f64();
+        const SINGLE: &alike::Weights<f32, PAIRS> = &alike::weights_f32();
+        const DOUBLE: &alike::Weights<f64, PAIRS> = &alike::weights_f64();
         let seen = $seen.last_chunk::<{ 2 * PAIRS }>();
-        seen.map(|seen| alike::correction::<R, { 2 * PAIRS }, PAIRS>(seen, SINGLE, DOUBLE))
+        seen.map(|seen| alike::lacking::<R, { 2 * PAIRS }, PAIRS>(seen, SINGLE, DOUBLE))
     }};
     ($other:ident, $k:literal, $seen:ident) => {
         None::<Increment<R>>

@@ -24,10 +24,9 @@
 //! S_i a linear function of all sums, D_i of all differences. In smooth motion it is of the order of the fit's
 //! own error, which it lessens.
 
-use super::fit::rounded;
+use super::fit::{each, rounded};
 use crate::math::real::Real;
 use crate::math::twin::Twin as _;
-use crate::math::vector::Vector;
 use crate::sample::Increment;
 
 /// Samples of a block: as many before its window are looked at.
@@ -201,41 +200,32 @@ pub fn lacking<R: Real, const N: usize, const M: usize>(
     double: &Weights<f64, M>,
 ) -> Increment<R> {
     const { assert!(N == 2 * M && M >= SIDE) };
-    // Δθ and Δv side by side.
-    let side_by_side = |k: usize| samples[k].angle_b.zip(samples[k].velocity_b, R::Twin::new);
     let pair = |k: usize| {
-        let (after, before) = (side_by_side(M + k), side_by_side(M - 1 - k));
-        [after + before, after - before]
+        let (after, before) = (samples[M + k].twins(), samples[M - 1 - k].twins());
+        [each(after, before, |a, b| a + b), each(after, before, |a, b| a - b)]
     };
     let weight = |single: f32, double: f64| R::Twin::both(R::entry(single, double));
-    let none = Vector::new((), (), ()).map(|()| R::Twin::both(R::ZERO));
-    let (mut s, mut d) = ([none; SIDE], [none; SIDE]);
+    let none = [R::Twin::both(R::ZERO); 3];
+    let [mut s0, mut s1, mut d0, mut d1] = [none; 4];
     for k in 0..M {
         let [sum, difference] = pair(k);
-        for i in 0..SIDE {
-            s[i] = s[i] + sum * weight(single.sums[i][k], double.sums[i][k]);
-            d[i] = d[i] + difference * weight(single.differences[i][k], double.differences[i][k]);
-        }
+        let add = |to: [R::Twin; 3], x: [R::Twin; 3], single: f32, double: f64| {
+            let weight = weight(single, double);
+            each(to, x, |to, x| to + x * weight)
+        };
+        s0 = add(s0, sum, single.sums[0][k], double.sums[0][k]);
+        s1 = add(s1, sum, single.sums[1][k], double.sums[1][k]);
+        d0 = add(d0, difference, single.differences[0][k], double.differences[0][k]);
+        d1 = add(d1, difference, single.differences[1][k], double.differences[1][k]);
     }
+    let ([sum0, difference0], [sum1, difference1]) = (pair(0), pair(1));
+    let products = [(s0, difference0), (s1, difference1), (d0, sum0), (d1, sum1)];
     let mut lacking = Increment::ZERO;
-    for i in 0..SIDE {
-        let [sum, difference] = pair(i);
-        for (x, by) in [(s[i], difference), (d[i], sum)] {
-            let Increment { angle_b, velocity_b } = product::<R>(x, by);
-            lacking.angle_b = lacking.angle_b + angle_b;
-            lacking.velocity_b = lacking.velocity_b + velocity_b;
-        }
+    for (x, by) in products {
+        let (x, by) = (Increment::<R>::from_twins(x), Increment::<R>::from_twins(by));
+        let crossed = x.angle_b.cross(by.velocity_b) + x.velocity_b.cross(by.angle_b);
+        lacking.angle_b = lacking.angle_b + x.angle_b.cross(by.angle_b);
+        lacking.velocity_b = lacking.velocity_b + crossed;
     }
     lacking
-}
-
-/// χ_θ × Δθ and χ_θ × Δv + χ_v × Δθ.
-#[inline(always)]
-fn product<R: Real>(x: Vector<R::Twin>, by: Vector<R::Twin>) -> Increment<R> {
-    let both = x.cross(by.map(|c| R::Twin::both(c.parts().0)));
-    let crossed = x.map(|c| c.parts().0).cross(by.map(|c| c.parts().1));
-    Increment {
-        angle_b: both.map(|c| c.parts().0),
-        velocity_b: both.map(|c| c.parts().1) + crossed,
-    }
 }

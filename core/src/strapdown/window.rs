@@ -204,7 +204,7 @@ macro_rules! windows {
     };
 }
 
-/// Samples to keep: the newest block, and before it what a stream's last windows look back on.
+/// Samples to keep: the newest block, and before it what the next window, or a stream's last ones, look at.
 const fn capacity(h: usize, b: usize, a: usize, beside: usize) -> usize {
     let window = h + b + a;
     let sliding = b + if window > MOST_SAMPLES { LINE_LAST_SAMPLES } else { beside + window } - 1;

@@ -60,6 +60,20 @@ impl<R: Real> Sum<R> {
         Self::rounded(sum)
     }
 
+    /// And something small.
+    #[inline(always)]
+    pub fn and(self, small: &Increment<R>) -> Self {
+        let add = |to: Increment<R>| Increment {
+            angle_b: to.angle_b + small.angle_b,
+            velocity_b: to.velocity_b + small.velocity_b,
+        };
+        if self.two_float {
+            Self { low: add(self.low), ..self }
+        } else {
+            Self { increment: add(self.increment), ..self }
+        }
+    }
+
     /// The sum of increments with what rounding drops.
     #[inline(always)]
     pub fn exact(samples: &[Increment<R>]) -> Self {

@@ -1,6 +1,7 @@
 //! Strapdown mechanization: increments in, position, velocity and attitude out.
 
 mod abscissae;
+pub mod alike;
 pub mod behind;
 pub mod block_time;
 pub mod body;

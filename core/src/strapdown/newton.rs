@@ -4,7 +4,8 @@
 //! other. With t in samples, 0 at the outer edge of the near side, B/2·σ − near − B/2 in the block, the
 //! polynomial through the P samples next to it is w(σ) = Σ_m ∇ᵐx₀ d/dσ [t(t + 1)…(t + m)/(m + 1)!], m < P,
 //! the differences taken at the sample that t = 0 ends: a longer window only adds terms. Which P errs
-//! least is estimated as in `support`, for gyros and accelerometers each.
+//! least is estimated as in `support`, for gyros and accelerometers each, and then for each axis among those
+//! up to that: a cone has its second harmonic on its third axis.
 
 use super::fit::{Fit, MOST_SAMPLES};
 use super::gain::by_history;
@@ -25,13 +26,13 @@ pub struct Edge {
     pub far: usize,
 }
 
-/// Samples that a block was fitted through.
+/// Samples that a block was fitted through, at most.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Used<R> {
-    /// Of the gyros.
+    /// Of the gyros, as all axes together support.
     pub gyro: R,
-    /// Of the accelerometers.
+    /// Of the accelerometers, likewise.
     pub accelerometer: R,
 }
 
@@ -70,43 +71,78 @@ const MOST_NEAR: usize = 4;
 
 /// The window, among those through at least the block and its near side, whose estimated error is least.
 pub fn supported<R: Real>(differences: &Differences<R>, edge: Edge) -> Used<R> {
+    let all = Vector::new(R::ONE, R::ONE, R::ONE);
+    let any = R::count(MOST_SAMPLES as u32);
+    let used = least(differences, edge, [any; 2], |power| all * (power.x + power.y + power.z));
+    Used { gyro: used.angle_b.x, accelerometer: used.velocity_b.x }
+}
+
+/// The same for each axis, among the windows of no more samples than all axes together support.
+pub fn supported_by_axis<R: Real>(
+    differences: &Differences<R>,
+    edge: Edge,
+    most: &Used<R>,
+) -> Increment<R> {
+    least(differences, edge, [most.gyro, most.accelerometer], |power| power)
+}
+
+/// How many samples, no more than `most`, err least, where what counts is made of each axis' power.
+fn least<R: Real>(
+    differences: &Differences<R>,
+    edge: Edge,
+    most: [R; 2],
+    count: impl Fn(Vector<R>) -> Vector<R>,
+) -> Increment<R> {
     let Edge { near, block, far } = edge;
     let gains = block.checked_sub(1).and_then(|b| GAINS.get(b)?.get(near)).into_iter().flatten();
     let least = near + block;
     let infinite = R::ONE / R::ZERO;
-    let (mut used, mut best) = ([R::count(least as u32); 2], [infinite; 2]);
+    let none = (R::count(least as u32), infinite);
+    let mut best = [Vector::new(none, none, none); 2];
     for (samples, &gain) in (least..=least + far).zip(gains) {
-        let Some(powers) = power(differences, samples) else { break };
+        let Some(powers) = power(differences, samples, &count) else { break };
         let gain = R::entry(gain, f64::from(gain));
-        for ((used, best), power) in used.iter_mut().zip(&mut best).zip(powers) {
-            let error = gain * power;
-            let better = error.less(*best);
-            *used = R::select(better, R::count(samples as u32), *used);
-            *best = R::select(better, error, *best);
+        let samples = R::count(samples as u32);
+        for ((best, power), most) in best.iter_mut().zip(powers).zip(most) {
+            *best = best.zip(power * gain, |(used, least), error| {
+                let error = R::select(samples.less(most + R::HALF), error, infinite);
+                let better = error.less(least);
+                (R::select(better, samples, used), R::select(better, error, least))
+            });
         }
     }
-    let [gyro, accelerometer] = used;
-    Used { gyro, accelerometer }
+    let [angle_b, velocity_b] = best.map(|best| best.map(|(used, _)| used));
+    Increment { angle_b, velocity_b }
 }
 
-/// Mean of |∇ᵏx|² over C(2k, k), where there are only k samples by how it falls from the orders before.
-fn power<R: Real>(differences: &Differences<R>, k: usize) -> Option<[R; 2]> {
+/// Mean of (∇ᵏx)² over C(2k, k), where there are only k samples by how it falls from the orders before.
+fn power<R: Real>(
+    differences: &Differences<R>,
+    k: usize,
+    count: impl Fn(Vector<R>) -> Vector<R>,
+) -> Option<[Vector<R>; 2]> {
+    let power = |k: usize| {
+        let Increment { angle_b, velocity_b } = differences.power_by_axis(k)?;
+        Some([count(angle_b), count(velocity_b)])
+    };
     if differences.count() as usize > k {
-        return differences.power(k);
+        return power(k);
     }
-    let last = differences.power(k.checked_sub(1)?)?;
-    let Some([a, b]) = k.checked_sub(2).and_then(|k| differences.power(k)) else {
+    let last = power(k.checked_sub(1)?)?;
+    // Over two orders, since at one of them an oscillation may just pass through 0.
+    let Some([a, b]) = k.checked_sub(3).and_then(power) else {
         return Some(last);
     };
     let [c, d] = last;
-    Some([c * (c / a), d * (d / b)])
+    let falling = |c: R, a: R| c * (c / a).sqrt();
+    Some([c.zip(a, falling), d.zip(b, falling)])
 }
 
-/// The fit through the samples used. Towards the far side σ falls; `reversed` turns it round.
+/// The fit through the samples that each axis uses. Towards the far side σ falls; `reversed` turns it round.
 pub fn fit<R: Real>(
     differences: &Differences<R>,
     edge: Edge,
-    used: &Used<R>,
+    used: &Increment<R>,
     reversed: bool,
 ) -> Fit<R, MOST_SAMPLES> {
     let Edge { near, block, far } = edge;
@@ -120,9 +156,9 @@ pub fn fit<R: Real>(
     let terms = differences.newest().iter().zip(inverses).take(near + block + far);
     for (m, (difference, inverse)) in (0..).zip(terms) {
         let order = R::count(m);
-        let kept = |x: Vector<R>, used: R| x.map(|c| R::select(order.less(used), c, R::ZERO));
-        let angle = kept(difference.angle_b, used.gyro);
-        let velocity = kept(difference.velocity_b, used.accelerometer);
+        let kept = |x: R, used: R| R::select(order.less(used), x, R::ZERO);
+        let angle = difference.angle_b.zip(used.angle_b, kept);
+        let velocity = difference.velocity_b.zip(used.velocity_b, kept);
         let mut lower = R::ZERO;
         for c in &mut product {
             (*c, lower) = ((*c * (order - middle) + lower * half) * inverse, *c);
@@ -159,5 +195,6 @@ pub fn at_edge<R: Real>(
         Edge { near: lookahead, block, far: history }
     };
     let used = supported(&differences, edge);
-    (fit(&differences, edge, &used, reversed), used)
+    let by_axis = supported_by_axis(&differences, edge, &used);
+    (fit(&differences, edge, &by_axis, reversed), used)
 }

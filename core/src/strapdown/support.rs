@@ -10,7 +10,6 @@ use super::fit::MOST_SAMPLES;
 use super::gain::gain_squared;
 use super::window::Shape;
 use crate::math::real::Real;
-use crate::math::vector::Vector;
 use crate::sample::Increment;
 
 /// Differences of order 0 to 14 of a stream of samples, and their powers: of gyros and accelerometers
@@ -34,8 +33,8 @@ use crate::sample::Increment;
 pub struct Differences<R> {
     /// ∇ᵏ at the newest sample.
     newest: [Increment<R>; MOST_SAMPLES + 1],
-    /// Σ|∇ᵏ|² of gyros and of accelerometers.
-    sums: [[R; 2]; MOST_SAMPLES + 1],
+    /// Σ(∇ᵏ)² axis by axis.
+    sums: [Increment<R>; MOST_SAMPLES + 1],
     count: u32,
 }
 
@@ -50,7 +49,7 @@ impl<R: Real> Differences<R> {
     pub fn new() -> Self {
         Self {
             newest: [Increment::ZERO; MOST_SAMPLES + 1],
-            sums: [[R::ZERO; 2]; MOST_SAMPLES + 1],
+            sums: [Increment::ZERO; MOST_SAMPLES + 1],
             count: 0,
         }
     }
@@ -65,9 +64,8 @@ impl<R: Real> Differences<R> {
                 velocity_b: difference.velocity_b - newest.velocity_b,
             };
             *newest = difference;
-            let [gyro, accelerometer] = sum;
-            *gyro = *gyro + square(difference.angle_b);
-            *accelerometer = *accelerometer + square(difference.velocity_b);
+            sum.angle_b = sum.angle_b + difference.angle_b.map(|x| x * x);
+            sum.velocity_b = sum.velocity_b + difference.velocity_b.map(|x| x * x);
             if order == self.count {
                 break;
             }
@@ -89,11 +87,20 @@ impl<R: Real> Differences<R> {
     /// Mean of |∇ᵏx|² over C(2k, k), of gyros (rad²) and of accelerometers (m²/s²); `None` if there are
     /// no more than k samples or k exceeds [`MOST_SAMPLES`].
     pub fn power(&self, k: usize) -> Option<[R; 2]> {
+        let Increment { angle_b, velocity_b } = self.power_by_axis(k)?;
+        Some([angle_b, velocity_b].map(|v| v.x + v.y + v.z))
+    }
+
+    /// The same of each axis.
+    pub(super) fn power_by_axis(&self, k: usize) -> Option<Increment<R>> {
         let there = self.count.checked_sub(u32::try_from(k).ok()?).filter(|&there| there > 0)?;
         let sum = self.sums.get(k)?;
         let &of_one = OF_NOISE.get(k)?;
         let of_noise = R::count(there) * R::entry(of_one, f64::from(of_one));
-        Some(sum.map(|sum| sum / of_noise))
+        Some(Increment {
+            angle_b: sum.angle_b.map(|sum| sum / of_noise),
+            velocity_b: sum.velocity_b.map(|sum| sum / of_noise),
+        })
     }
 
     /// Estimated mean square of the error of the rate that a window fits, per sample: of gyros (rad²) and
@@ -104,12 +111,6 @@ impl<R: Real> Differences<R> {
         let gain = R::of(gain_squared((history, block, lookahead)));
         (block > 0).then(|| power.map(|power| power * gain))
     }
-}
-
-/// |x|².
-#[inline(always)]
-fn square<R: Real>(x: Vector<R>) -> R {
-    x.dot(x)
 }
 
 /// C(2k, k), up to k = 14: all of them exact in single precision.

@@ -144,6 +144,7 @@ impl<W: Window> Window for Unequal<W> {
     const HISTORY: usize = W::HISTORY;
     const BLOCK: usize = W::BLOCK;
     const LOOKAHEAD: usize = W::LOOKAHEAD;
+    const BESIDE: usize = W::BESIDE;
     const COEFFICIENTS: usize = W::COEFFICIENTS;
     const TERMS: usize = W::TERMS;
     const UNEQUAL: bool = true;

@@ -5,6 +5,7 @@
 //! parabola over a long block is the cheapest for slow motion.
 #![doc = include_str!("WINDOWS.md")]
 
+use super::alike;
 use super::behind;
 use super::body::{BodyMotion, Sum, integrate};
 use super::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
@@ -40,6 +41,8 @@ pub trait Window: Copy + Default + 'static {
     const SHAPE: Shape = (Self::HISTORY, Self::BLOCK, Self::LOOKAHEAD);
     /// Samples of all three.
     const SAMPLES: usize = Self::HISTORY + Self::BLOCK + Self::LOOKAHEAD;
+    /// Samples before the window that are looked at where they are there.
+    const BESIDE: usize;
     /// Samples in the window of the first block.
     const FIRST: usize = if Self::SAMPLES < FIRST_SAMPLES { FIRST_SAMPLES } else { Self::SAMPLES };
     /// Coefficients of the fit: as many as samples, or 2 for a line and 3 for a parabola.
@@ -61,8 +64,8 @@ pub trait Window: Copy + Default + 'static {
     /// The room, filled.
     fn samples<T: Copy>(fill: T) -> Self::Samples<T>;
 
-    /// Integrates the block within the window's samples by a series up to σ^`order`; `None` if the
-    /// samples are too few. With `two_float` the motion comes with what rounding drops from it.
+    /// Integrates the block within the window that ends the samples by a series up to σ^`order`; `None` if
+    /// the samples are too few. With `two_float` the motion comes with what rounding drops from it.
     fn integrate<R: Real>(
         samples: &[Increment<R>],
         half_time_s: R,
@@ -82,16 +85,37 @@ pub trait Window: Copy + Default + 'static {
 
 /// How a window's samples are fitted: by the polynomial through them all, or by a line or parabola.
 macro_rules! fit {
-    (through, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {{
+    (near, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {
+        least_squares::<R, $k>($samples)
+    };
+    ($through:ident, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {{
         const SINGLE: &[[f32; $k]; $k] = &table_f32::<$k>($h, $b);
         const DOUBLE: &[[f64; $k]; $k] = &table_f64::<$k>($h, $b);
         Fit::of($samples, $h, $b, SINGLE, DOUBLE)
     }};
-    (behind, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {
-        fit!(through, $k, $h, $b, $a, $samples)
+}
+
+/// What a block lacks so that all samples are alike, where enough of them are there.
+macro_rules! lacking {
+    (alike, $k:literal, $seen:ident) => {{
+        const PAIRS: usize = ($k + alike::BLOCK) / 2;
+        const SINGLE: &alike::Weights<f32, PAIRS> = &alike::weights_f32();
+        const DOUBLE: &alike::Weights<f64, PAIRS> = &alike::weights_f64();
+        let seen = $seen.last_chunk::<{ 2 * PAIRS }>();
+        seen.map(|seen| alike::lacking::<R, { 2 * PAIRS }, PAIRS>(seen, SINGLE, DOUBLE))
+    }};
+    ($other:ident, $k:literal, $seen:ident) => {
+        None::<Increment<R>>
     };
-    (near, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {
-        least_squares::<R, $k>($samples)
+}
+
+/// Samples before the window that are looked at.
+macro_rules! beside {
+    (alike, $b:literal) => {
+        $b
+    };
+    ($other:ident, $b:literal) => {
+        0
     };
 }
 
@@ -122,29 +146,33 @@ macro_rules! windows {
                 const HISTORY: usize = $h;
                 const BLOCK: usize = $b;
                 const LOOKAHEAD: usize = $a;
+                const BESIDE: usize = beside!($fit, $b);
                 const COEFFICIENTS: usize = $k;
                 const TERMS: usize = $m;
-                type Samples<T: Copy> = [T; capacity($h, $b, $a)];
+                type Samples<T: Copy> = [T; capacity($h, $b, $a, beside!($fit, $b))];
                 type Series<R: Real> = Series<R, { $m + 1 }>;
                 type Intervals<R: Real> = Nominal;
-                type KeptIntervals<R: Real> = Kept<R, [R; capacity($h, $b, $a)]>;
+                type KeptIntervals<R: Real> = Kept<R, [R; capacity($h, $b, $a, beside!($fit, $b))]>;
 
                 #[inline]
                 fn samples<T: Copy>(fill: T) -> Self::Samples<T> {
-                    [fill; capacity($h, $b, $a)]
+                    [fill; capacity($h, $b, $a, beside!($fit, $b))]
                 }
 
                 #[inline(always)]
                 fn integrate<R: Real>(
-                    samples: &[Increment<R>],
+                    seen: &[Increment<R>],
                     half_time_s: R,
                     order: usize,
                     two_float: bool,
                 ) -> Option<(BodyMotion<R>, Self::Series<R>)> {
-                    let samples = samples.first_chunk::<{ $h + $b + $a }>()?;
+                    let samples = seen.last_chunk::<{ $h + $b + $a }>()?;
                     let block = samples.get($h..$h + $b)?;
                     let (fit, sum) = fit!($fit, $k, $h, $b, $a, samples);
-                    let sum = if two_float { Sum::exact(block) } else { Sum::rounded(sum) };
+                    let mut sum = if two_float { Sum::exact(block) } else { Sum::rounded(sum) };
+                    if let Some(lacking) = lacking!($fit, $k, seen) {
+                        sum = sum.and(&lacking);
+                    }
                     Some(integrate::<R, $k, { $m + 1 }>(&fit, &sum, half_time_s, order))
                 }
 
@@ -176,10 +204,10 @@ macro_rules! windows {
     };
 }
 
-/// Samples to keep: the newest block, and before it what a stream's last windows look back on.
-const fn capacity(h: usize, b: usize, a: usize) -> usize {
+/// Samples to keep: the newest block, and before it what the next window, or a stream's last ones, look at.
+const fn capacity(h: usize, b: usize, a: usize, beside: usize) -> usize {
     let window = h + b + a;
-    let sliding = b + if window > MOST_SAMPLES { LINE_LAST_SAMPLES } else { window } - 1;
+    let sliding = b + if window > MOST_SAMPLES { LINE_LAST_SAMPLES } else { beside + window } - 1;
     if h > 0 && sliding < FIRST_SAMPLES { FIRST_SAMPLES } else { sliding }
 }
 
@@ -202,9 +230,9 @@ windows! { $
     /// Eight samples without look-ahead: the most accurate that does not delay.
     H4B4A0 = 4, 4, 0, behind 8, 18;
     /// Eight samples about the block, two of delay: for hard motion.
-    H2B4A2 = 2, 4, 2, through 8, 22;
+    H2B4A2 = 2, 4, 2, alike 8, 22;
     /// Twelve samples about the block: for vibration at a low rate.
-    H4B4A4 = 4, 4, 4, through 12, 26;
+    H4B4A4 = 4, 4, 4, alike 12, 26;
     /// A straight line over eight samples: slow motion at a fraction of the cost.
     Line8 = 0, 8, 0, near 2, 4;
     /// A parabola over twelve samples.

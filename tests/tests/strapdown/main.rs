@@ -12,6 +12,7 @@ macro_rules! every_window {
 
 mod accuracy;
 mod body;
+mod cones;
 mod coning;
 mod edges;
 mod fit;

@@ -56,13 +56,18 @@ const POINTS: usize = 4000;
 
 /// The weights of the samples in the fitted rate at points over the block, per unit of σ.
 fn weights(shape: Shape, coefficients: usize) -> Vec<Vec<f64>> {
+    weights_at(shape, coefficients, POINTS)
+}
+
+/// The same at so many points.
+fn weights_at(shape: Shape, coefficients: usize, points: usize) -> Vec<Vec<f64>> {
     let (history, block, lookahead) = shape;
     let samples = history + block + lookahead;
     let edge = |j: usize| 2.0 * (j as f64 - history as f64) / block as f64 - 1.0;
     let (centre, half) = (0.5 * (edge(0) + edge(samples)), 0.5 * (edge(samples) - edge(0)));
     let table = table(shape, coefficients);
     let point = |i: usize| {
-        let x = ((2 * i + 1) as f64 / POINTS as f64 - 1.0 - centre) / half;
+        let x = ((2 * i + 1) as f64 / points as f64 - 1.0 - centre) / half;
         let mut sum = vec![0.0; samples];
         let (mut before, mut now) = (0.0, 1.0);
         for (n, row) in table.iter().enumerate() {
@@ -72,7 +77,7 @@ fn weights(shape: Shape, coefficients: usize) -> Vec<Vec<f64>> {
         }
         sum
     };
-    (0..POINTS).map(point).collect()
+    (0..points).map(point).collect()
 }
 
 fn gain(shape: Shape, coefficients: usize) -> f64 {
@@ -81,28 +86,70 @@ fn gain(shape: Shape, coefficients: usize) -> f64 {
     mean.sqrt() * 2.0 / shape.1 as f64
 }
 
+/// The cone's increments, so many from one on.
+fn increments(first: i32, count: usize, beta: f64) -> Vec<(f64, f64)> {
+    (0..count)
+        .map(|j| {
+            let middle = beta * (f64::from(first) + j as f64 + 0.5);
+            let length = 2.0 * (0.5 * beta).sin() / beta;
+            (length * middle.cos(), length * middle.sin())
+        })
+        .collect()
+}
+
+/// The sum of increments as weighed.
+fn weigh(weights: &[f64], increments: &[(f64, f64)]) -> (f64, f64) {
+    let terms = weights.iter().zip(increments);
+    terms.fold((0.0, 0.0), |sum, (a, x)| (sum.0 + a * x.0, sum.1 + a * x.1))
+}
+
+/// ∫χ × ω over the two samples before a block and its first two, χ the angle by the polynomial centred on
+/// each sample less that by the polynomial it was integrated by, ω by the cubic through the four.
+fn lacking((history, block, lookahead): Shape, beta: f64) -> f64 {
+    let samples = history + block + lookahead;
+    let points = POINTS / block;
+    let own = weights((history, block, lookahead), samples);
+    let centred = weights_at((samples / 2, 1, samples / 2), samples + 1, points);
+    let cubic = weights((0, block, 0), block);
+    let of_block = 2.0 / block as f64;
+    let (near, step) = (increments(-2, 4, beta), 1.0 / points as f64);
+    let mut lacking = 0.0;
+    for j in -2..2 {
+        let begun = if j < 0 { -(block as i32) } else { 0 };
+        let seen = increments(begun - history as i32, samples, beta);
+        let about = increments(j - samples as i32 / 2, samples + 1, beta);
+        let mut angle = (0.0, 0.0);
+        for point in 0..points {
+            let of = |start: i32| (j - start) as usize * points + point;
+            // Per sample: a block of one is two units of σ, one of four likewise.
+            let a = weigh(&centred[point], &about);
+            let b = weigh(&own[of(begun)], &seen);
+            let rate = (2.0 * a.0 - of_block * b.0, 2.0 * a.1 - of_block * b.1);
+            let half = (angle.0 + 0.5 * step * rate.0, angle.1 + 0.5 * step * rate.1);
+            let turning = weigh(&cubic[of(-2)], &near);
+            lacking += step * of_block * (half.0 * turning.1 - half.1 * turning.0);
+            angle = (angle.0 + step * rate.0, angle.1 + step * rate.1);
+        }
+    }
+    lacking
+}
+
 /// (computed − true)/true of a cone's drift, where the correction is what is computed.
 fn response(shape: Shape, coefficients: usize, samples_per_cycle: f64) -> f64 {
     let (history, block, lookahead) = shape;
     let beta = TAU / samples_per_cycle;
-    let increments: Vec<_> = (0..history + block + lookahead)
-        .map(|j| {
-            let from = beta * (j as f64 - history as f64);
-            let (middle, length) = (from + 0.5 * beta, 2.0 * (0.5 * beta).sin() / beta);
-            (length * middle.cos(), length * middle.sin())
-        })
-        .collect();
+    let increments = increments(-(history as i32), history + block + lookahead, beta);
     let step = 2.0 / POINTS as f64;
     // ½Im ∫α*ω over the block, of the fit and of the rotation itself
     let (mut angle, mut drift) = ((0.0, 0.0), 0.0);
     for weights in weights(shape, coefficients) {
-        let rate = weights
-            .iter()
-            .zip(&increments)
-            .fold((0.0, 0.0), |sum, (a, x)| (sum.0 + a * x.0, sum.1 + a * x.1));
+        let rate = weigh(&weights, &increments);
         let half = (angle.0 + 0.5 * step * rate.0, angle.1 + 0.5 * step * rate.1);
         drift += 0.5 * step * (half.0 * rate.1 - half.1 * rate.0);
         angle = (angle.0 + step * rate.0, angle.1 + step * rate.1);
+    }
+    if matches!(shape, H2B4A2::SHAPE | H4B4A4::SHAPE) {
+        drift += lacking(shape, beta);
     }
     let phase = beta * block as f64;
     let exact = 0.5 * (phase - phase.sin()) / (beta * beta);

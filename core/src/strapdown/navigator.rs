@@ -225,10 +225,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
         let end = state.filled - state.pending + W::BLOCK + W::LOOKAHEAD;
         let seen = state.samples.as_ref().get(..end).unwrap_or(&[]);
-        // What stands before the window helps where it is there, and of the same interval.
-        let beside = W::BESIDE.min(end - W::SAMPLES);
-        let alike = self.is_nominal(state, W::HISTORY + beside, beside);
-        let begin = end - W::SAMPLES - if alike { beside } else { 0 };
+        let begin = self.begin(state, end);
         if W::LOOKAHEAD == 0 && W::HISTORY > 0 {
             // Without look-ahead every block is at an edge.
             if let Some((body, series, used)) =

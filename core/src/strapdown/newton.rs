@@ -78,7 +78,7 @@ pub fn supported<R: Real>(differences: &Differences<R>, edge: Edge) -> Used<R> {
 }
 
 /// The same for each axis, among the windows of no more samples than all axes together support.
-pub fn supported_by_axis<R: Real>(
+fn supported_by_axis<R: Real>(
     differences: &Differences<R>,
     edge: Edge,
     most: &Used<R>,

@@ -69,6 +69,16 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
     }
 
+    /// Where the samples begin that a whole window up to `end` looks at: with those before it that help,
+    /// where they are there and of the same interval.
+    #[inline(always)]
+    pub(super) fn begin(&self, state: &State<F, W>, end: usize) -> usize {
+        let begin = end - W::SAMPLES;
+        let beside = W::BESIDE.min(begin);
+        let alike = self.is_nominal(state, W::HISTORY + beside, beside);
+        if alike { begin - beside } else { begin }
+    }
+
     /// A block of `block` samples with `history` before it and `lookahead` after it; `edge` at the first
     /// and the last ones.
     #[inline(never)]

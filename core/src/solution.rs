@@ -74,10 +74,7 @@ fn wrapped_sum<R: Real>(a: R, b: R) -> R {
 fn about_axes<T: Number>([(sz, cz), (sy, cy), (sx, cx)]: [(T, T); 3]) -> Quaternion<T> {
     // q_z ⊗ q_y = (cz cy; −sz sy, cz sy, sz cy)
     let (w, x, y, z) = (cz * cy, sz * sy, cz * sy, sz * cy);
-    Quaternion::new(
-        w * cx + x * sx,
-        Vector::new(w * sx - x * cx, y * cx + z * sx, z * cx - y * sx),
-    )
+    Quaternion::new(w * cx + x * sx, Vector::new(w * sx - x * cx, y * cx + z * sx, z * cx - y * sx))
 }
 
 /// Position, velocity and attitude against the local north, east and down.

@@ -13,6 +13,7 @@ use crate::source::Source;
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
+use schuler::strapdown::plan;
 
 /// Samples of the beginning and of the end; a flight that is no longer than both is flown whole.
 const BEGINNING: u64 = 600;
@@ -70,18 +71,18 @@ impl<'a> Passages<'a> {
     pub fn new(scene: &'a Scene, source: &'a Source) -> Self {
         let all = scene.samples();
         let is_whole = all <= WHOLE;
+        let navigator = Navigator { precision: Precision::F64, ..scene.navigator.clone() };
+        let interval_s = Pair::new(scene.rate_hz).reciprocal();
         let mut passages = vec![Passage::new(source, 0, if is_whole { all } else { BEGINNING })];
         if !is_whole {
-            passages.push(Passage::new(source, all - END, END));
+            let end = Passage::new(source, all - END, END);
+            // None begins at a pole in local-level axes.
+            let (window, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
+            if navigator::start(&navigator, window, order, interval_s, &end.initial).is_ok() {
+                passages.push(end);
+            }
         }
-        Self {
-            scene,
-            source,
-            navigator: Navigator { precision: Precision::F64, ..scene.navigator.clone() },
-            interval_s: Pair::new(scene.rate_hz).reciprocal(),
-            passages,
-            is_whole,
-        }
+        Self { scene, source, navigator, interval_s, passages, is_whole }
     }
 
     /// A longer beginning of the same flight, or all of it, without its end.

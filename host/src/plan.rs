@@ -97,8 +97,8 @@ fn candidates(scene: &Scene, source: &Source) -> Vec<Candidate> {
 impl Plan {
     /// Of a scene; `force_all` skips nothing.
     ///
-    /// In a simulation the truth is at hand, so windows are tried on stretches of it; sensor errors leave
-    /// the choice to the motion.
+    /// In a simulation the truth is at hand, so windows are tried on parts of it; sensor errors leave the
+    /// choice to the motion.
     pub fn new(scene: &Scene, source: &Source, force_all: bool) -> Self {
         let navigator = &scene.navigator;
         if navigator.algorithm != Algorithm::Taylor {
@@ -130,7 +130,7 @@ impl Plan {
         let mut planned = chosen.map(|chosen| Planned {
             tried: tried.len(),
             predicted_m: chosen.predicted_m,
-            most_m,
+            most_m: trial.enough_m(most_m),
         });
         // With nothing skipped a wider window than is needed, if it is no worse.
         if let Some(cheap) = chosen
@@ -146,8 +146,7 @@ impl Plan {
                 && wide.predicted_m <= trial.enough_m(most_m)
             {
                 window = wide.shape.into();
-                planned =
-                    Some(Planned { tried: tried.len(), predicted_m: wide.predicted_m, most_m });
+                planned = planned.map(|of| Planned { predicted_m: wide.predicted_m, ..of });
             }
         }
         let order = match Candidate::find(window.shape()) {

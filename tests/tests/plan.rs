@@ -156,5 +156,5 @@ fn the_cores_plan_counts_the_way_of_a_local_level_block() {
     assert_eq!(plan::window(&of(300.0, 0.2, false)), (0, 8, 0));
     assert_eq!(plan::window(&of(300.0, 0.25, false)), (0, 4, 0));
     assert_eq!(plan::window(&of(7200.0, 0.1, false)), (0, 2, 0));
-    assert_eq!(plan::window(&of(7200.0, 0.1, true)), (0, 8, 0));
+    assert_eq!(plan::window(&of(300.0, 0.25, true)), (0, 8, 0));
 }

@@ -64,11 +64,12 @@ pub struct Instant {
 /// How a window was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Planned {
-    /// Windows tried on stretches of the motion.
+    /// Windows tried on parts of the flight.
     pub tried: usize,
-    /// The position error at the end that its truncation is expected to leave, m.
+    /// The largest position error that is expected of it in double precision, m.
     pub predicted_m: f64,
-    /// What it may leave: the cheapest window within this is flown, or else the best, m.
+    /// What it may leave, as much as some roundings do: the cheapest window within this is flown, or else the
+    /// best, m.
     pub most_m: f64,
 }
 

@@ -1,7 +1,11 @@
 //! What a run does and what it can leave out, decided once; what is left out is measured.
 
 mod candidate;
+mod choice;
 mod growth;
+mod mean;
+mod middle;
+mod passage;
 mod reference;
 mod step;
 mod trial;
@@ -13,6 +17,7 @@ use crate::source::Source;
 use crate::theory::Theory;
 use crate::timing;
 use candidate::Candidate;
+use passage::Passages;
 use schuler::math::compensated::Pair;
 use schuler::strapdown::plan::{self, Shape};
 use schuler::trajectory::Trajectory as _;
@@ -69,6 +74,7 @@ fn share_of_rounding(precision: Precision) -> f64 {
 /// The windows to try, the cheapest first.
 fn candidates(scene: &Scene, source: &Source) -> Vec<Candidate> {
     let precision = scene.navigator.precision;
+    let is_perfect = scene.gyro == Default::default() && scene.accelerometer == Default::default();
     let is_still = source.course.bound().bandwidth == 0.0;
     let is_fit = |candidate: &Candidate| {
         let (history, block, lookahead) = candidate.shape;
@@ -82,49 +88,41 @@ fn candidates(scene: &Scene, source: &Source) -> Vec<Candidate> {
         let is_available = precision != Precision::F32x2
             || navigator::TWO_FLOAT.contains(&(history, block, lookahead));
         // One-sided windows amplify noise.
-        let is_quiet = source.emulator.is_none() || candidate.is_symmetric();
+        let is_quiet = is_perfect || candidate.is_symmetric();
         is_available && is_quiet && (precision == Precision::F64 || !is_rounded)
     };
     Candidate::all().filter(is_fit).collect()
 }
 
-/// 1/ω of the slowest swing or turn of the motion, s; 0 where there is none.
-fn slowest_wave_s(scene: &Scene) -> f64 {
-    let motion = &scene.trajectory;
-    let turning = [&motion.roll, &motion.pitch, &motion.yaw];
-    let turns = turning.into_iter().map(|channel| channel.rate.abs());
-    let swinging = [&motion.latitude, &motion.longitude, &motion.altitude];
-    let harmonics = turning.into_iter().chain(swinging).flat_map(|channel| &channel.harmonics);
-    let swings = harmonics.filter(|h| h.amplitude != 0.0).map(|h| h.angular_rate.abs());
-    turns.chain(swings).filter(|&w| w > 0.0).fold(0.0, |slowest: f64, w| slowest.max(1.0 / w))
-}
-
 impl Plan {
     /// Of a scene; `force_all` skips nothing.
     ///
-    /// In a simulation the truth is at hand, so windows are tried on stretches of it; sensor errors leave
-    /// the choice to the motion.
+    /// In a simulation the truth is at hand, so windows are tried on parts of it; sensor errors leave the
+    /// choice to the motion.
     pub fn new(scene: &Scene, source: &Source, force_all: bool) -> Self {
         let navigator = &scene.navigator;
         if navigator.algorithm != Algorithm::Taylor {
             let (window, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
             return Self { window, order, trial: None, force_all };
         }
+        // A run that skips nothing chooses by the same samples.
+        let plain = if force_all { Source::new(scene, false).ok() } else { None };
+        let source = plain.as_ref().unwrap_or(source);
         let flight = Flight {
             motion: &source.course,
             interval_s: 1.0 / scene.rate_hz,
             samples: scene.samples(),
             earth_fixed: navigator.frame == Frame::EarthFixed,
-            wave_s: slowest_wave_s(scene),
         };
         let trial = Trial::new(&flight);
+        let passages = Passages::new(scene, source);
         let most_m = trial.rounding_m() * share_of_rounding(navigator.precision);
         let asked = navigator.window.and_then(|w| Candidate::find(w.shape()));
         let candidates = match asked {
             Some(asked) => vec![asked],
             None => candidates(scene, source),
         };
-        let (chosen, tried) = trial.choose(&candidates, most_m);
+        let (chosen, tried) = trial.choose(&passages, &candidates, most_m);
         let mut window = navigator.window.unwrap_or_else(|| {
             // A motion that no window can be flown with is refused by the navigator itself.
             chosen.map_or((2, 2, 2), |chosen| chosen.shape).into()
@@ -132,28 +130,27 @@ impl Plan {
         let mut planned = chosen.map(|chosen| Planned {
             tried: tried.len(),
             predicted_m: chosen.predicted_m,
-            most_m,
+            most_m: trial.enough_m(most_m),
         });
         // With nothing skipped a wider window than is needed, if it is no worse.
         if let Some(cheap) = chosen
             && asked.is_none()
             && force_all
-            && cheap.predicted_m <= most_m
+            && cheap.predicted_m <= trial.enough_m(most_m)
         {
             let wide: Vec<_> = candidates
                 .into_iter()
                 .filter(|c| c.shape == plan::UNKNOWN || c.shape == WIDEST)
                 .collect();
-            if let (Some(wide), _) = trial.choose(&wide, most_m)
-                && wide.predicted_m <= most_m
+            if let (Some(wide), _) = trial.choose(&passages, &wide, most_m)
+                && wide.predicted_m <= trial.enough_m(most_m)
             {
                 window = wide.shape.into();
-                planned =
-                    Some(Planned { tried: tried.len(), predicted_m: wide.predicted_m, most_m });
+                planned = planned.map(|of| Planned { predicted_m: wide.predicted_m, ..of });
             }
         }
         let order = match Candidate::find(window.shape()) {
-            Some(candidate) if !force_all => trial.order(&candidate, most_m),
+            Some(candidate) if !force_all => trial.order(&passages, &candidate, most_m),
             _ => plan::HIGHEST_ORDER,
         };
         Self { window, order, trial: planned, force_all }

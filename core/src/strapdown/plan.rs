@@ -3,7 +3,8 @@
 //! A window that follows x = Λh (the bandwidth Λ, rad/s, times the interval h) too coarsely leaves a
 //! residual drift; each limit below is where that falls under the rounding floor, found on the built-in
 //! scenes (`paper` has x = 1.2e-4, `hard` 0.3, `coning` 0.6, `vibration` 1.4). A spin is bounded by what the
-//! series leaves of it. Where the truth is at hand, as in a simulation, trial flights choose better.
+//! series leaves of it, and a local-level block by the distance that it flies. Where the truth is at hand, as
+//! in a simulation, trial flights choose better.
 
 use super::gate::MOST_TURN;
 pub use super::window::Shape;
@@ -29,6 +30,8 @@ pub struct Flight {
     pub bandwidth: f64,
     /// What it turns by at most, rad/s.
     pub angular_rate: f64,
+    /// Its speed over the Earth at most, m/s.
+    pub speed: f64,
     /// Seconds between samples.
     pub interval_s: f64,
     /// How many digits the navigator has.
@@ -75,6 +78,17 @@ fn turns_within(flight: &Flight, (_, block, _): Shape, terms: usize) -> bool {
     turn <= MOST_TURN && rest + rest <= SPIN_REST * digits * turn
 }
 
+/// The longest way of a local-level block, m. Over a way of vT its step leaves up to 4e-10 m · (vT/300 m)³ in
+/// half an hour, as flown at 300 m/s in blocks of 1.6 to 8 s and at 7.2 km/s in blocks of 0.2 to 0.8 s: over
+/// this way less than a rounding. What an Earth-fixed step leaves is not seen in blocks of two seconds.
+const LONGEST_WAY: f64 = 500.0;
+
+/// Whether a block of a window is short enough for its nav step; there is none of fewer than two samples.
+fn steps_within(flight: &Flight, (_, block, _): Shape) -> bool {
+    let way = block as f64 * flight.interval_s * flight.speed;
+    flight.earth_fixed || flight.digits != Digits::Double || block <= 2 || way <= LONGEST_WAY
+}
+
 /// The window for a flight: among those whose blocks a navigator takes.
 pub fn window(flight: &Flight) -> Shape {
     let candidates: &[Candidate] = match (flight.digits, flight.earth_fixed) {
@@ -95,7 +109,8 @@ pub fn window(flight: &Flight) -> Shape {
         let turn = wide.1 as f64 * flight.interval_s * flight.angular_rate;
         if turn <= MOST_TURN || flight.digits == Digits::TwoFloat { wide } else { narrow }
     };
-    candidates.iter().chain(&LONG).find(suits).map_or_else(fastest, |&Candidate(shape, ..)| shape)
+    let stepped = candidates.iter().filter(|&&Candidate(shape, ..)| steps_within(flight, shape));
+    stepped.chain(&LONG).find(suits).map_or_else(fastest, |&Candidate(shape, ..)| shape)
 }
 
 /// The order of a planned window's series at most.

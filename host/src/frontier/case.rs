@@ -154,6 +154,8 @@ impl Case {
         let flight = Flight {
             bandwidth: bound.bandwidth,
             angular_rate: bound.angular_rate,
+            // No order depends on it.
+            speed: 0.0,
             interval_s: interval_s.hi,
             digits: self.arithmetic.digits(),
             earth_fixed: self.frame == Frame::EarthFixed,

@@ -17,6 +17,18 @@ pub struct Rate {
     pub velocity: Vector<f64>,
 }
 
+impl Rate {
+    /// What this one has beyond another.
+    pub fn less(&self, other: &Self) -> Self {
+        Self {
+            time_s: self.time_s,
+            tilt: self.tilt - other.tilt,
+            acceleration: self.acceleration - other.acceleration,
+            velocity: self.velocity - other.velocity,
+        }
+    }
+}
+
 /// ω_s² = g/R; the vertical diverges with κ² = 2ω_s².
 fn schuler_rate() -> f64 {
     (EQUATORIAL_GRAVITY / SEMI_MAJOR_AXIS).sqrt()
@@ -39,42 +51,51 @@ pub fn rise(time_s: f64) -> (f64, f64) {
     (0.5 * (up - down) / kappa, 0.5 * (up + down))
 }
 
-/// Where the errors of some instants spread evenly over a flight lead to, with an allowance for what lies
-/// between the instants: `wave_s` is the reciprocal of the slowest turning that they do not resolve.
-pub fn position_m(rates: &[Rate], duration_s: f64, wave_s: f64) -> f64 {
+/// Where what is added at an instant has led to by another, north, east, down, m, and what comes of the
+/// heading.
+fn led(added: &Rate, end_s: f64) -> (Vector<f64>, f64) {
+    let t = end_s - added.time_s;
+    let ((along, swung), (up, risen)) = (swing(t), rise(t));
+    let (tilt, a, v) = (added.tilt, added.acceleration, added.velocity);
+    let tilted = SEMI_MAJOR_AXIS * swung;
+    let position = Vector::new(
+        a.x * along - tilt.y * tilted + v.x,
+        a.y * along + tilt.x * tilted + v.y,
+        a.z * up + v.z * (1.0 + risen),
+    );
+    // Heading tilts the level by the Earth's rate only.
+    (position, tilt.z * tilted * (ROTATION_RATE * t / 3.0))
+}
+
+/// The largest of what some instants of a flight have.
+fn most(of: impl Fn(f64) -> f64, duration_s: f64) -> f64 {
+    [0.25, 0.5, 0.75, 1.0].into_iter().map(|part| of(part * duration_s)).fold(0.0, f64::max)
+}
+
+/// Where errors of a beginning lead to together with what some instants, spread evenly over the flight, add
+/// from then on; with an allowance for what lies between the instants.
+///
+/// `begun` has tilt, velocity and position in the places of what is added to them.
+pub fn position_m(begun: &Rate, rates: &[Rate], duration_s: f64) -> f64 {
     let share_s = duration_s / rates.len().max(1) as f64;
     let at = |end_s: f64| {
+        let (mut position, mut turned) = led(begun, end_s.max(begun.time_s));
         let mut halves = [Vector::ZERO; 2];
-        let mut heading = 0.0;
-        for (i, rate) in rates.iter().enumerate().filter(|(_, rate)| rate.time_s < end_s) {
-            let t = end_s - rate.time_s;
-            let ((along, swung), (up, risen)) = (swing(t), rise(t));
-            let (tilt, a, v) = (rate.tilt, rate.acceleration, rate.velocity);
-            let tilted = SEMI_MAJOR_AXIS * swung;
-            halves[i % 2] = halves[i % 2]
-                + Vector::new(
-                    a.x * along - tilt.y * tilted + v.x,
-                    a.y * along + tilt.x * tilted + v.y,
-                    a.z * up + v.z * (1.0 + risen),
-                ) * share_s;
-            // Heading tilts the level by the Earth's rate only.
-            heading += tilt.z * tilted * (ROTATION_RATE * t / 3.0) * share_s;
+        for (i, rate) in rates.iter().enumerate() {
+            let (from_s, to_s) = (i as f64 * share_s, (i + 1) as f64 * share_s);
+            let (from_s, to_s) = (from_s.max(begun.time_s), to_s.min(end_s));
+            if from_s < to_s {
+                let rate = Rate { time_s: 0.5 * (from_s + to_s), ..*rate };
+                let (added, also) = led(&rate, end_s);
+                halves[i % 2] = halves[i % 2] + added * (to_s - from_s);
+                turned += also * (to_s - from_s);
+            }
         }
         let [even, odd] = halves;
-        (even + odd).norm() + heading.abs() + (even - odd).norm()
+        position = position + even + odd;
+        position.norm() + turned.abs() + (even - odd).norm()
     };
-    let quarters = [0.25, 0.5, 0.75, 1.0].map(|part| at(part * duration_s));
-    let steady = quarters.into_iter().fold(0.0, f64::max);
-    let count = rates.len().max(1) as f64;
-    let spread = |of: fn(&Rate) -> Vector<f64>| {
-        let mean = rates.iter().fold(Vector::ZERO, |s, r| s + of(r)) * (1.0 / count);
-        let square: f64 = rates.iter().map(|r| (of(r) - mean).dot(of(r) - mean)).sum();
-        (square / count).sqrt()
-    };
-    let wave_s = wave_s.min(share_s);
-    let (along, swung) = (duration_s, 0.5 * EQUATORIAL_GRAVITY * duration_s * duration_s);
-    let offset = wave_s * (spread(|r| r.tilt) * swung + spread(|r| r.acceleration) * along);
-    steady + offset
+    most(at, duration_s)
 }
 
 /// What one rounding may cost: that of a coordinate, and of gravity through the free vertical, m.

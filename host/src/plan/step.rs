@@ -1,7 +1,8 @@
 //! What the nav step leaves over blocks of some length: flown on true body motions in such blocks and in
-//! blocks of half that, from the same start. Its turns are exact: position and velocity tell.
+//! blocks of twice that, from the same start. Its turns are exact: position and velocity tell.
 
 use super::growth::rise;
+use super::middle::taper;
 use super::reference::{Part, Stretch};
 use schuler::earth::{EQUATORIAL_GRAVITY, SEMI_MAJOR_AXIS};
 use schuler::math::compensated::Pair;
@@ -13,9 +14,13 @@ use schuler::strapdown::frame::Frame;
 use schuler::strapdown::local_level::LocalLevel;
 use schuler::trajectory::Trajectory;
 
-/// Blocks flown until gravity's history is the flight's own, and blocks measured.
-const WARM: usize = 4;
+/// Long blocks flown until gravity's history is the flight's own; those measured, and their samples, at
+/// least.
+const WARM: usize = 3;
 const MEASURED: usize = 8;
+const SAMPLES: usize = 120;
+/// Blocks twice as long leave eight times as much, or more: what they differ by is seven times the rest.
+const LONGER: f64 = 7.0;
 
 /// A printed state that can be compared to all its digits.
 trait Apart: Copy {
@@ -44,27 +49,25 @@ impl Apart for EarthFixedSolution<f64> {
     }
 }
 
-/// States after the warm-up and at the end, in blocks of so many parts.
+/// States at the ends of `long` blocks, flown in blocks of some length that divides theirs.
 fn fly<F: Frame<Real = f64>>(
     initial: &Solution<f64>,
     parts: &[Part],
     block: usize,
+    long: usize,
     interval_s: Pair<f64>,
-    marks: [usize; 2],
-) -> [F::Output; 2] {
+) -> Vec<F::Output> {
     let time = BlockTime::new(interval_s, block);
     let mut frame = F::start(initial);
-    let mut seen = [frame.output(); 2];
+    let mut seen = Vec::new();
     for (n, part) in Part::blocks(parts, block).iter().enumerate() {
         let body = part.body();
         if n == 0 {
             frame.seed(&time, &body);
         }
         frame.step(&time, &body);
-        for (mark, seen) in marks.iter().zip(&mut seen) {
-            if (n + 1) * block == *mark {
-                *seen = frame.output();
-            }
+        if ((n + 1) * block).is_multiple_of(long) {
+            seen.push(frame.output());
         }
     }
     seen
@@ -77,26 +80,32 @@ fn rest<F: Frame<Real = f64, Output: Apart>>(
     interval_s: Pair<f64>,
     duration_s: f64,
 ) -> f64 {
-    let finer = if block.is_multiple_of(2) { block / 2 } else { 1 };
-    let marks = [WARM * block, (WARM + MEASURED) * block];
-    let coarse = fly::<F>(initial, &stretch.parts, block, interval_s, marks);
-    let fine = fly::<F>(initial, &stretch.parts, finer, interval_s, marks);
-    let [r0, v0] = coarse[0].apart(&fine[0]);
-    let [r1, v1] = coarse[1].apart(&fine[1]);
-    let span_s = (MEASURED * block) as f64 * interval_s.hi;
-    let per_s = 1.0 / span_s;
-    // Growth after the warm-up is steady; what stands then beyond it comes from the start.
-    let acceleration = (v1 - v0) * per_s;
-    let velocity = (r1 - r0) * per_s - (v0 + v1) * 0.5;
-    let warm_s = (WARM * block) as f64 * interval_s.hi;
-    let begun = (v0 - acceleration * warm_s).norm();
+    let long = 2 * block;
+    let coarse = fly::<F>(initial, &stretch.parts, long, long, interval_s);
+    let fine = fly::<F>(initial, &stretch.parts, block, long, interval_s);
+    let apart: Vec<_> = coarse.iter().zip(&fine).skip(WARM).map(|(a, b)| a.apart(b)).collect();
+    // The slope by least squares, weighed so that swings leave nothing.
+    let count = apart.len() as f64;
+    let weighed = || apart.iter().enumerate().map(|(n, a)| (taper((n as f64 + 0.5) / count), n, a));
+    let middle = 0.5 * (count - 1.0);
+    let (mut square, mut slopes, mut all, mut means) =
+        (0.0, [Vector::ZERO; 2], 0.0, [Vector::ZERO; 2]);
+    for (weight, n, apart) in weighed() {
+        let x = n as f64 - middle;
+        square += weight * x * x;
+        all += weight;
+        for ((slope, mean), off) in slopes.iter_mut().zip(&mut means).zip(apart) {
+            *slope = *slope + *off * (weight * x);
+            *mean = *mean + *off * weight;
+        }
+    }
+    let per_s = 1.0 / (square * long as f64 * interval_s.hi);
+    let acceleration = slopes[1] * per_s;
+    let velocity = slopes[0] * per_s - means[1] * (1.0 / all);
     let (up, risen) = rise(duration_s);
     let kappa_square = 2.0 * EQUATORIAL_GRAVITY / SEMI_MAJOR_AXIS;
-    // Half an ulp of gravity either way is rounding, which no shorter block mends.
-    let rounding = f64::EPSILON * EQUATORIAL_GRAVITY;
-    (acceleration.norm() - rounding).max(0.0) * risen / kappa_square
-        + velocity.norm() * up
-        + (begun - rounding * warm_s).max(0.0) * up
+    let left_m = acceleration.norm() * risen / kappa_square + velocity.norm() * up;
+    left_m / LONGER
 }
 
 /// Position that the nav step's truncation leads to at the end of a flight, m.
@@ -107,7 +116,8 @@ pub fn position_m(
     duration_s: f64,
     earth_fixed: bool,
 ) -> f64 {
-    let count = (WARM + MEASURED) * block;
+    let measured = MEASURED.max(SAMPLES.div_ceil(2 * block));
+    let count = (WARM + measured) * 2 * block;
     let exact_s = Pair::new(interval_s);
     let samples = duration_s / interval_s;
     let at = |part: f64| {

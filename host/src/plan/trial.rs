@@ -1,31 +1,34 @@
-//! Trial flights: windows on stretches of the motion, each block against the true one.
+//! Trial flights: windows on stretches of the motion, each block against the true one, and in passages
+//! flown by the navigator itself.
 //!
 //! What a window's blocks miss, resolved in north, east and down, grows into a position by the unaided
-//! growth laws. The cheapest window whose position stays below what one rounding costs is flown; where
-//! there is none, the best. Nothing here knows a clock: every machine chooses the same.
+//! growth laws, from the errors on that the flight's beginning leaves. Swings are weighed away: their errors
+//! come and go, and what remains of them is where they began. Nothing here knows a clock: every machine
+//! chooses the same.
 
 use super::candidate::Candidate;
 use super::growth::{self, Rate};
+use super::mean::Mean;
+use super::middle::Told;
+use super::passage::{Left, Passages, WHOLE};
 use super::reference::{MARGIN, Miss, Part, Stretch};
-use super::step;
 use schuler::imu;
-use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::strapdown::gate::MOST_TURN;
 use schuler::strapdown::plan::Shape;
-use schuler::trajectory::{Motion, Trajectory};
+use schuler::trajectory::Trajectory;
 
-/// Samples of a stretch: whole blocks of every window but those of three and twelve.
-const STRETCH: usize = 40;
+/// Samples of a stretch: whole blocks of every window, which begin anew together.
+const STRETCH: usize = 120;
 /// Stretches at least and at most, and the share of the flight that they are.
-const FEWEST: u64 = 8;
-const MOST: u64 = 48;
+const FEWEST: u64 = 4;
+const MOST: u64 = 12;
 const SHARE: u64 = 50;
-/// Samples after which the blocks of every window begin anew together.
-const TOGETHER: u64 = 120;
 /// Times that the turning is looked at.
 const LOOKS: u32 = 256;
+/// Groups of looks that are compared.
+const GROUPS: usize = 4;
 
 /// A flight to plan for.
 pub struct Flight<'a, T> {
@@ -37,8 +40,6 @@ pub struct Flight<'a, T> {
     pub samples: u64,
     /// Whether it is navigated in Earth-fixed axes.
     pub earth_fixed: bool,
-    /// The longest reciprocal of an angular frequency of the motion, s; 0 where nothing swings.
-    pub wave_s: f64,
 }
 
 /// What a trial found of a window.
@@ -54,8 +55,8 @@ pub struct Tried {
 
 /// Stretches of a flight, ready to be flown by any window.
 pub struct Trial<'a, T> {
-    flight: &'a Flight<'a, T>,
-    duration_s: f64,
+    pub(super) flight: &'a Flight<'a, T>,
+    pub(super) duration_s: f64,
     stretches: Vec<(f64, Stretch)>,
     /// The largest turn about an axis in a sample, rad: by the motion's bound, and as seen.
     turns: [f64; 2],
@@ -72,9 +73,13 @@ impl<'a, T: Trajectory<f64>> Trial<'a, T> {
     pub fn new(flight: &'a Flight<'a, T>) -> Self {
         let Flight { motion, interval_s, samples, .. } = *flight;
         let duration_s = samples as f64 * interval_s;
-        let count = (samples / (SHARE * STRETCH as u64)).clamp(FEWEST, MOST);
-        let share = samples / count;
-        let grid = if share >= 2 * TOGETHER { TOGETHER } else { STRETCH as u64 };
+        let count = match samples {
+            // Passages are all of it.
+            0..=WHOLE => 0,
+            _ => (samples / (SHARE * STRETCH as u64)).clamp(FEWEST, MOST),
+        };
+        let share = samples / count.max(1);
+        let grid = if share >= 2 * STRETCH as u64 { STRETCH as u64 } else { 4 };
         let stretches = (0..count)
             .map(|n| {
                 let within = share.saturating_sub(STRETCH as u64) as f64 * golden(n);
@@ -83,13 +88,19 @@ impl<'a, T: Trajectory<f64>> Trial<'a, T> {
                 (centre_s, Stretch::new(motion, interval_s, first, STRETCH))
             })
             .collect();
-        let seen = (0..LOOKS).map(|n| {
+        let mut most = [0.0_f64; GROUPS];
+        for n in 0..LOOKS {
             let part = (f64::from(n) + golden(n.into())) / f64::from(LOOKS);
-            let rates = imu::rates(&motion.at(part * duration_s));
-            rates.rate_ib_b.into_array().into_iter().fold(0.0, |most: f64, w| most.max(w.abs()))
-        });
-        let seen = seen.fold(0.0, f64::max);
-        let turns = [motion.bound().angular_rate, 1.25 * seen].map(|w| w * interval_s);
+            let rate = imu::rates(&motion.at(part * duration_s)).rate_ib_b;
+            if let Some(most) = most.get_mut(n as usize % GROUPS) {
+                *most = rate.into_array().into_iter().fold(*most, |most, w| most.max(w.abs()));
+            }
+        }
+        // What lies between the looks exceeds them by as much as some looks exceed others.
+        let [least, seen] =
+            [f64::min, f64::max].map(|of| most.into_iter().reduce(of).unwrap_or_default());
+        let seen = 1.01 * seen + 2.0 * (seen - least);
+        let turns = [motion.bound().angular_rate, seen].map(|w| w * interval_s);
         Self { flight, duration_s, stretches, turns }
     }
 
@@ -100,7 +111,7 @@ impl<'a, T: Trajectory<f64>> Trial<'a, T> {
     }
 
     /// What a window's blocks add, stretch by stretch.
-    fn of_window(&self, candidate: &Candidate, order: usize) -> Vec<Rate> {
+    pub(super) fn of_window(&self, candidate: &Candidate, order: usize) -> Vec<Rate> {
         self.rates(candidate, |window, half_s, part| {
             (candidate.integrate)(window, half_s, order).map(|body| part.miss(&body))
         })
@@ -137,62 +148,60 @@ impl<'a, T: Trajectory<f64>> Trial<'a, T> {
         self.stretches.iter().map(of_stretch).collect()
     }
 
-    fn position_m(&self, rates: &[Rate]) -> f64 {
-        growth::position_m(rates, self.duration_s, self.flight.wave_s)
-    }
-
-    /// What a window leaves with its whole series; of its steps in long blocks only where its fit is good
-    /// enough for them.
-    fn try_out(&self, candidate: &Candidate, most_m: f64, steps: &mut Steps) -> Tried {
-        let (_, block, _) = candidate.shape;
-        let order = candidate.terms;
-        let mut predicted_m = self.position_m(&self.of_window(candidate, order));
-        if block <= SHORT || predicted_m <= most_m {
-            let Flight { motion, interval_s, earth_fixed, .. } = *self.flight;
-            let flown = |&(of, _): &(usize, f64)| of == block;
-            let known = steps.iter().copied().find(flown).unwrap_or_else(|| {
-                let left_m =
-                    step::position_m(motion, interval_s, block, self.duration_s, earth_fixed);
-                steps.push((block, left_m));
-                (block, left_m)
-            });
-            predicted_m += known.1;
+    /// Where what is left of passages leads to together with what blocks add from then on; and without that.
+    pub(super) fn predicted_m(&self, left: &Left, blocks: &[Rate], is_whole: bool) -> [f64; 2] {
+        if is_whole {
+            return [left.most_m; 2];
         }
-        Tried { shape: candidate.shape, order, predicted_m }
+        let still = Rate::default();
+        let led_m =
+            |begun: &Rate, rates: &[Rate]| growth::position_m(begun, rates, self.duration_s);
+        // Stretches resolve what lies below rounding, passages what comes back after hundreds of samples, and
+        // either weight other swings: each finds too much where another is better. Steps are in passages
+        // alone.
+        let by = |weight: usize| {
+            let told = left.told.iter().filter_map(|told| told.get(weight));
+            let added: Vec<_> = told.clone().map(|told| told.added).collect();
+            let steps: Vec<_> =
+                added.iter().map(|rate| Rate { tilt: Vector::ZERO, ..*rate }).collect();
+            let begun = told.map(|told| told.middle).next().unwrap_or_default();
+            let steady_m = led_m(&begun, blocks).min(led_m(&begun, &added));
+            [steady_m.max(led_m(&still, &steps)), led_m(&begun, &[])]
+        };
+        let ([one_m, one_begun_m], [other_m, other_begun_m]) = (by(0), by(1));
+        [one_m.min(other_m), one_begun_m.min(other_begun_m)]
+            .map(|m| left.most_m.max(m) + left.end_m)
     }
 
-    /// Tries windows, the cheapest first, until one leaves no more than it may: that one, or else the best,
-    /// with all that were tried.
-    pub fn choose(&self, candidates: &[Candidate], most_m: f64) -> (Option<Tried>, Vec<Tried>) {
-        let mut steps = Vec::new();
-        let mut tried = Vec::new();
-        for candidate in candidates.iter().filter(|candidate| self.is_taken(candidate.shape.1)) {
-            let one = self.try_out(candidate, most_m, &mut steps);
-            tried.push(one);
-            if one.predicted_m <= most_m {
-                return (Some(one), tried);
+    /// What a window may leave of what is flown, which has roundings of its own, m.
+    pub fn enough_m(&self, most_m: f64) -> f64 {
+        most_m + ROUNDINGS * growth::rounding_m(0.0) + 2.0 * self.rounding_m()
+    }
+
+    /// The lowest order of a window's series that leaves no more than it may of what the highest does.
+    pub fn order(&self, passages: &Passages, candidate: &Candidate, most_m: f64) -> usize {
+        let (enough_m, still) = (self.enough_m(most_m), Rate::default());
+        let led_m =
+            |begun: &Rate, rates: &[Rate]| growth::position_m(begun, rates, self.duration_s);
+        let Some(whole) = passages.fly(candidate, candidate.terms) else { return candidate.terms };
+        let is_enough = |order: usize| {
+            if led_m(&still, &self.of_order(candidate, order)) > SERIES * most_m {
+                return false;
             }
-        }
-        // Windows that look one way take noise along: only where they are much better.
-        let least = |symmetric: bool| {
-            let of_kind = |one: &&Tried| (one.shape.0 == one.shape.2) == symmetric;
-            tried.iter().filter(of_kind).fold(f64::INFINITY, |best, one| best.min(one.predicted_m))
+            let left = passages.fly(candidate, order);
+            left.is_some_and(|left| {
+                let apart = |(a, b): (&[Told; 2], &[Told; 2])| {
+                    let of = |i: usize| Some(a.get(i)?.middle.less(&b.get(i)?.middle));
+                    [0, 1].map(|i| of(i).map_or(0.0, |apart| led_m(&apart, &[])))
+                };
+                let apart_m = left.told.iter().zip(&whole.told).next().map_or([0.0; 2], apart);
+                let most_m = (left.most_m - whole.most_m).abs();
+                apart_m.into_iter().fold(most_m, f64::max) <= enough_m
+            })
         };
-        let (balanced_m, other_m) = (least(true), least(false));
-        let balanced = 3.0 * other_m >= balanced_m;
-        let best_m = if balanced { balanced_m } else { other_m };
-        let near = |one: &&Tried| {
-            one.predicted_m <= 1.25 * best_m && (!balanced || one.shape.0 == one.shape.2)
-        };
-        (tried.iter().find(near).copied(), tried)
-    }
-
-    /// The lowest order of a window's series that leaves no more than it may.
-    pub fn order(&self, candidate: &Candidate, most_m: f64) -> usize {
-        let enough = |&order: &usize| {
-            order >= candidate.terms || self.position_m(&self.of_order(candidate, order)) <= most_m
-        };
-        candidate.orders().into_iter().find(enough).unwrap_or(candidate.terms)
+        let lower = candidate.orders().into_iter().filter(|&order| order < candidate.terms);
+        let mut enough = lower.filter(|&order| is_enough(order));
+        enough.next().unwrap_or(candidate.terms)
     }
 
     /// What one rounding may cost over the flight, m.
@@ -201,57 +210,7 @@ impl<'a, T: Trajectory<f64>> Trial<'a, T> {
     }
 }
 
-/// What steps leave, m, by the samples of their block.
-type Steps = Vec<(usize, f64)>;
-/// Blocks whose step is always flown.
-const SHORT: usize = 4;
-
-/// A stretch's misses in north, east and down.
-struct Mean {
-    attitude: Quaternion<f64>,
-    misses: Vec<(Miss, Vector<f64>)>,
-}
-
-impl Mean {
-    fn new(motion: &Motion<f64>) -> Self {
-        let attitude = motion.solution().attitude.map(|c| c.hi);
-        Self { attitude, misses: Vec::new() }
-    }
-
-    fn add(&mut self, miss: &Miss, part: &Part) {
-        let matrix = self.attitude.matrix(1.0);
-        let turned = Miss {
-            angle: matrix * miss.angle,
-            velocity: matrix * miss.velocity,
-            position: matrix * miss.position,
-        };
-        self.misses.push((turned, matrix * part.velocity()));
-        self.attitude = self.attitude + self.attitude * part.rotation();
-    }
-
-    fn rate(&self, time_s: f64, block_s: f64) -> Rate {
-        let zero = (Vector::ZERO, Vector::ZERO, Vector::ZERO, Vector::ZERO, Vector::ZERO);
-        let (mut angle, mut velocity, mut position, mut tilts, mut gained) = zero;
-        let mut rectified = Vector::ZERO;
-        for (miss, gain) in &self.misses {
-            // The tilt in the block's middle, times what it then gains.
-            let tilt = angle + miss.angle * 0.5;
-            rectified = rectified + tilt.cross(*gain);
-            tilts = tilts + tilt;
-            gained = gained + *gain;
-            angle = angle + miss.angle;
-            velocity = velocity + miss.velocity;
-            position = position + miss.position;
-        }
-        let count = self.misses.len().max(1) as f64;
-        // Tilt and gain that go together add up; their means are the tilt's own growth.
-        rectified = rectified - tilts.cross(gained) * (1.0 / count);
-        let per_s = 1.0 / (count * block_s);
-        Rate {
-            time_s,
-            tilt: angle * per_s,
-            acceleration: (velocity + rectified) * per_s,
-            velocity: position * per_s,
-        }
-    }
-}
+/// Roundings of coordinates that what is flown has of its own, the true ones and the computed ones.
+const ROUNDINGS: f64 = 4.0;
+/// What the rest of a series may leave of what a window may: it adds up, where roundings do not.
+const SERIES: f64 = 0.25;

@@ -45,8 +45,8 @@ fn ended(flight: &Flight) -> Option<String> {
 pub fn planned(flight: &Flight) -> String {
     match (flight.window, flight.planned) {
         (Some(window), Some(planned)) if flight.scene.navigator.window.is_none() => format!(
-            "window {window}: of {} tried on stretches of the motion, expected to leave {} m \
-             where one rounding leaves {} m\n",
+            "window {window}: of {} tried on parts of the flight, expected to leave {} m where \
+             rounding may leave {} m\n",
             planned.tried,
             short(planned.predicted_m),
             short(planned.most_m)

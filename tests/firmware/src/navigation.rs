@@ -26,6 +26,8 @@ pub fn planned<F: Frame<Real: Scalar>, W: Window>(
     let flight = plan::Flight {
         bandwidth: bound.bandwidth,
         angular_rate: bound.angular_rate,
+        // No order depends on it.
+        speed: 0.0,
         interval_s: 1.0 / RATE_HZ,
         digits,
         earth_fixed: false,

@@ -128,6 +128,8 @@ impl<F: Frame<Real: Scalar>, W: Window> Navigation<Strapdown<F, W>> {
         let flight = plan::Flight {
             bandwidth: bound.bandwidth,
             angular_rate: bound.angular_rate,
+            // No order depends on it.
+            speed: 0.0,
             interval_s: interval_s.hi,
             digits: plan::Digits::Double,
             earth_fixed: true,

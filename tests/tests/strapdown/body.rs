@@ -221,6 +221,7 @@ fn a_low_order_is_planned_where_it_reaches_the_floor() {
         let flight = plan::Flight {
             bandwidth: 0.0,
             angular_rate: turn / 0.04,
+            speed: 0.0,
             interval_s: 0.01,
             digits: plan::Digits::Double,
             earth_fixed: true,

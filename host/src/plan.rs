@@ -89,7 +89,9 @@ fn candidates(scene: &Scene, source: &Source) -> Vec<Candidate> {
             || navigator::TWO_FLOAT.contains(&(history, block, lookahead));
         // One-sided windows amplify noise.
         let is_quiet = is_perfect || candidate.is_symmetric();
-        is_available && is_quiet && (precision == Precision::F64 || !is_rounded)
+        // A flight shorter than a block would be nothing but its end.
+        let is_whole = block as u64 <= scene.samples().max(4);
+        is_whole && is_available && is_quiet && (precision == Precision::F64 || !is_rounded)
     };
     Candidate::all().filter(is_fit).collect()
 }
@@ -128,7 +130,7 @@ impl Plan {
             chosen.map_or((2, 2, 2), |chosen| chosen.shape).into()
         });
         let mut planned = chosen.map(|chosen| Planned {
-            tried: tried.len(),
+            tried,
             predicted_m: chosen.predicted_m,
             most_m: trial.enough_m(most_m),
         });

@@ -4,8 +4,8 @@
 //! other. With t in samples, 0 at the outer edge of the near side, B/2·σ − near − B/2 in the block, the
 //! polynomial through the P samples next to it is w(σ) = Σ_m ∇ᵐx₀ d/dσ [t(t + 1)…(t + m)/(m + 1)!], m < P,
 //! the differences taken at the sample that t = 0 ends: a longer window only adds terms. Which P errs
-//! least is estimated as in `support`, for gyros and accelerometers each, and then for each axis among those
-//! up to that: a cone has its second harmonic on its third axis.
+//! least is estimated as in `support`, for gyros and accelerometers each, and then, with the differences of a
+//! long enough stream, for each axis among those up to that: a cone has its second harmonic on its third axis.
 
 use super::fit::{Fit, MOST_SAMPLES};
 use super::gain::by_history;
@@ -195,6 +195,12 @@ pub fn at_edge<R: Real>(
         Edge { near: lookahead, block, far: history }
     };
     let used = supported(&differences, edge);
-    let by_axis = supported_by_axis(&differences, edge, &used);
+    // By fewer differences an axis is not known: one of them may just pass through 0.
+    let by_axis = if differences.count() as usize >= MOST_SAMPLES {
+        supported_by_axis(&differences, edge, &used)
+    } else {
+        let alike = |used: R| Vector::new(used, used, used);
+        Increment { angle_b: alike(used.gyro), velocity_b: alike(used.accelerometer) }
+    };
     (fit(&differences, edge, &by_axis, reversed), used)
 }

@@ -17,19 +17,18 @@ const MUCH: f64 = 2.0;
 
 impl<T: Trajectory<f64>> Trial<'_, T> {
     /// Tries windows, the cheapest first, until one leaves no more than it may: that one, or else the best,
-    /// with all that were tried.
+    /// with how many were tried, on stretches or flown.
     pub fn choose(
         &self,
         passages: &Passages,
         candidates: &[Candidate],
         most_m: f64,
-    ) -> (Option<Tried>, Vec<Tried>) {
+    ) -> (Option<Tried>, usize) {
         let enough_m = self.enough_m(most_m);
         let mut flown = Vec::new();
         let mut waiting = Vec::new();
         let is_taken =
             |candidate: &&Candidate| self.is_taken(candidate.shape.1) || passages.is_whole;
-        let tried = |flown: &[Flown]| flown.iter().map(|flown| flown.tried).collect();
         let longer = OnceCell::new();
         let longer = || longer.get_or_init(|| passages.longer());
         for candidate in candidates.iter().filter(is_taken) {
@@ -45,9 +44,10 @@ impl<T: Trajectory<f64>> Trial<'_, T> {
             let first = one.tried;
             flown.push(one);
             if first.predicted_m <= enough_m {
-                return (Some(first), tried(&flown));
+                return (Some(first), flown.len() + waiting.len());
             }
         }
+        let tried = flown.len() + waiting.len();
         let others = waiting.into_iter();
         flown.extend(
             others.filter_map(|(candidate, blocks)| self.fly(passages, candidate, &blocks)),
@@ -69,7 +69,7 @@ impl<T: Trajectory<f64>> Trial<'_, T> {
             }
             best = self::best(&flown, enough_m);
         }
-        (best, tried(&flown))
+        (best, tried)
     }
 
     /// Whether what a window's blocks and steps add is no more than it may be.

@@ -195,8 +195,10 @@ impl<'a, T: Trajectory<f64>> Trial<'a, T> {
                     [0, 1].map(|i| of(i).map_or(0.0, |apart| led_m(&apart, &[])))
                 };
                 let apart_m = left.told.iter().zip(&whole.told).next().map_or([0.0; 2], apart);
-                let most_m = (left.most_m - whole.most_m).abs();
-                apart_m.into_iter().fold(most_m, f64::max) <= enough_m
+                // A row within a block has the whole of what its series leaves.
+                let rows_m = (left.most_m - whole.most_m).abs();
+                let of_rows_m = SERIES * most_m + ROUNDINGS * growth::rounding_m(0.0);
+                rows_m <= of_rows_m && apart_m.into_iter().fold(0.0, f64::max) <= enough_m
             })
         };
         let lower = candidate.orders().into_iter().filter(|&order| order < candidate.terms);

@@ -136,6 +136,7 @@ fn a_held_run_has_its_own_bits_in_every_unit() {
 #[test]
 fn lanes_are_used_where_the_window_has_them() {
     let mut scene = erring("hard", 1.0);
+    scene.navigator.window = Some(WindowShape { history: 2, block: 4, lookahead: 2 });
     let widest = |scene: &Scene, runs| {
         let source = Source::new(scene, false).unwrap();
         Ground::new(scene, &source).widest(runs)

@@ -78,7 +78,7 @@ fn in_real_time_latency_is_measured() {
 #[test]
 fn a_window_that_the_target_lacks_is_replaced_aloud() {
     let folder = tempfile::tempdir().unwrap();
-    let hil = schuler("hil hard --duration 1 --rate 25 --no-report", folder.path());
+    let hil = schuler("hil hard --duration 4 --rate 50 --no-report", folder.path());
     let text = String::from_utf8_lossy(&hil.stdout);
     assert!(hil.status.success(), "{hil:?}");
     assert!(text.contains("The target has no window 4,4,4: flown with 2,4,2.\n"), "{text}");

@@ -40,6 +40,7 @@ const MULTIPLE: i128 = 12_252_240;
 
 /// What sums and differences of M pairs of opposite samples weigh.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Weights<T, const M: usize> {
     /// In S₀ and S₁.
     sums: [[T; M]; SIDE],

@@ -129,13 +129,16 @@ fn power<R: Real>(
         return power(k);
     }
     let last = power(k.checked_sub(1)?)?;
-    // Over two orders, since at one of them an oscillation may just pass through 0.
-    let Some([a, b]) = k.checked_sub(3).and_then(power) else {
-        return Some(last);
-    };
-    let [c, d] = last;
+    // Over two orders, since at one of them an oscillation may just pass through 0; but not from the mean,
+    // which says nothing of how differences fall.
     let falling = |c: R, a: R| c * (c / a).sqrt();
-    Some([c.zip(a, falling), d.zip(b, falling)])
+    let falling_once = |c: R, a: R| c * (c / a);
+    let [c, d] = last;
+    if let Some([a, b]) = k.checked_sub(3).filter(|&order| order > 0).and_then(power) {
+        return Some([c.zip(a, falling), d.zip(b, falling)]);
+    }
+    let Some([a, b]) = k.checked_sub(2).and_then(power) else { return Some(last) };
+    Some([c.zip(a, falling_once), d.zip(b, falling_once)])
 }
 
 /// The fit through the samples that each axis uses. Towards the far side σ falls; `reversed` turns it round.

@@ -71,7 +71,7 @@ impl<'a> Passages<'a> {
     pub fn new(scene: &'a Scene, source: &'a Source) -> Self {
         let all = scene.samples();
         let is_whole = all <= WHOLE;
-        let navigator = Navigator { precision: Precision::F64, ..scene.navigator.clone() };
+        let navigator = Navigator { precision: Precision::F64, ..scene.navigator };
         let interval_s = Pair::new(scene.rate_hz).reciprocal();
         let mut passages = vec![Passage::new(source, 0, if is_whole { all } else { BEGINNING })];
         if !is_whole {
@@ -89,7 +89,7 @@ impl<'a> Passages<'a> {
     pub fn longer(&self) -> Self {
         let all = self.scene.samples();
         Self {
-            navigator: self.navigator.clone(),
+            navigator: self.navigator,
             passages: vec![Passage::new(self.source, 0, all.min(LONGER))],
             is_whole: all <= LONGER,
             ..*self

@@ -119,10 +119,10 @@ fn lacking((history, block, lookahead): Shape, beta: f64) -> f64 {
         let seen = increments(begun - history as i32, samples, beta);
         let about = increments(j - samples as i32 / 2, samples + 1, beta);
         let mut angle = (0.0, 0.0);
-        for point in 0..points {
+        for (point, centred) in centred.iter().enumerate().take(points) {
             let of = |start: i32| (j - start) as usize * points + point;
             // Per sample: a block of one is two units of σ, one of four likewise.
-            let a = weigh(&centred[point], &about);
+            let a = weigh(centred, &about);
             let b = weigh(&own[of(begun)], &seen);
             let rate = (2.0 * a.0 - of_block * b.0, 2.0 * a.1 - of_block * b.1);
             let half = (angle.0 + 0.5 * step * rate.0, angle.1 + 0.5 * step * rate.1);

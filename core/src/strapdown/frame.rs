@@ -95,18 +95,16 @@ pub(super) fn check_local<R: Real>(cosine: R, altitude: R) -> Result<(), Rejecte
 /// is, to the last bit.
 #[inline(always)]
 pub(super) fn fold_longitude<S: Accumulate>(longitude: &mut S) {
-    // π and 2π in two parts
-    let rest = S::Real::entry(-8.742_278e-8, 1.224_646_799_147_353_2e-16);
-    let half = Pair { hi: S::Real::of(core::f64::consts::PI), lo: rest };
-    let Pair { hi, lo } = longitude.pair();
-    let west = hi.less(S::Real::ZERO);
-    let beyond = (hi.abs() - half.hi) + (S::Real::select(west, -lo, lo) - half.lo);
-    let outside = S::Real::ZERO.less(beyond);
+    const TURN: f64 = core::f64::consts::TAU;
+    let rest = S::Real::entry(-1.748_455_6e-7, 2.449_293_598_294_706_4e-16);
+    let at = longitude.value();
+    let outside = S::Real::of(0.5 * TURN).less(at.abs());
     if S::Real::any(outside) {
-        let turn = Pair { hi: half.hi + half.hi, lo: half.lo + half.lo };
-        let signed = |x: S::Real| S::Real::select(west, x, -x);
-        let folded = Pair { hi, lo } + Pair { hi: signed(turn.hi), lo: signed(turn.lo) };
-        *longitude = S::select(outside, S::from_pair(folded), *longitude);
+        let west = at.less(S::Real::ZERO);
+        let back = |x: S::Real| S::Real::select(west, x, -x);
+        let mut folded = *longitude;
+        folded.add_pair(Pair { hi: back(S::Real::of(TURN)), lo: back(rest) });
+        *longitude = S::select(outside, folded, *longitude);
     }
 }
 

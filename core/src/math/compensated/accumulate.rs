@@ -179,24 +179,25 @@ impl<S: Accumulate> Quaternion<S> {
         let excess = q.dot(q) - S::Real::ONE;
         let long = longest_excess::<S::Real>().less(excess.abs());
         if S::Real::any(long) {
-            self.shorten(excess, long);
+            // q ← q − ½q(|q|² − 1) where the mask holds
+            let mut unit = *self;
+            if S::TWO_FLOAT {
+                unit.shorten();
+            } else {
+                unit.accumulate(q * (excess * -S::Real::HALF));
+            }
+            self.w = S::select(long, unit.w, self.w);
+            self.v = unit.v.zip(self.v, |unit, q| S::select(long, unit, q));
         }
     }
 
-    /// q ← q − ½q(|q|² − 1) where the mask holds; in two-float numbers |q|² to all their digits.
+    /// q ← q + ½q(1 − |q|²), |q|² to twice the digits.
     #[inline(never)]
-    fn shorten(&mut self, excess: S::Real, long: <S::Real as Real>::Mask) {
-        let mut unit = *self;
-        if S::TWO_FLOAT {
-            let q = self.pair();
-            let square = q.w * q.w + q.v.dot(q.v);
-            let half = (Pair::new(S::Real::ONE) - square) * Pair::new(S::Real::HALF);
-            unit.accumulate_pair(q * half);
-        } else {
-            unit.accumulate(self.value() * (excess * -S::Real::HALF));
-        }
-        self.w = S::select(long, unit.w, self.w);
-        self.v = unit.v.zip(self.v, |unit, q| S::select(long, unit, q));
+    fn shorten(&mut self) {
+        let q = self.pair();
+        let square = q.w * q.w + q.v.dot(q.v);
+        let half = (Pair::new(S::Real::ONE) - square) * Pair::new(S::Real::HALF);
+        self.accumulate_pair(q * half);
     }
 
     /// Adds an increment.

@@ -8,7 +8,7 @@ use super::super::gravity_history::GravityHistory;
 use super::super::meridian::curvature;
 use super::LocalLevel;
 use crate::earth::{self, EQUATORIAL_GRAVITY, ROTATION_RATE};
-use crate::math::compensated::Accumulate;
+use crate::math::compensated::{Accumulate, Pair};
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 
@@ -33,9 +33,9 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
                 let change = meridian.moved(moved.relative);
                 let turn =
                     meridian.frame_turn(&change, change.longitude + R::of(ROTATION_RATE) * t);
-                let (mut sine, mut altitude) = (self.sine, self.position.altitude);
-                sine.add(meridian.sine * change.cosine_less_one + meridian.cosine * change.sine);
-                altitude.add(change.altitude);
+                let risen = meridian.sine * change.cosine_less_one + meridian.cosine * change.sine;
+                let sine = moved_by(self.sine, risen);
+                let altitude = moved_by(self.position.altitude, change.altitude);
                 let excess = Self::excess(sine, altitude, curvature(sine.value()));
                 self.plumb_change(excess, turn)
             };
@@ -43,5 +43,17 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
             self.history =
                 GravityHistory::of([1, 2, 3, 4].map(|k| back(-(R::count(k) * time.time.hi))));
         }
+    }
+}
+
+/// A sum a step on, to the digits that gravity is worked out with.
+#[inline(always)]
+fn moved_by<S: Accumulate>(sum: S, by: S::Real) -> S {
+    if S::TWO_FLOAT {
+        let mut sum = sum;
+        sum.add(by);
+        sum
+    } else {
+        S::from_pair(Pair::new(sum.value() + by))
     }
 }

@@ -12,7 +12,7 @@ use crate::solution::Solution;
 use crate::strapdown::frame::{check_local, fold_longitude};
 use crate::strapdown::mechanization::Rejected;
 use crate::strapdown::plausible::{MOST_SPEED, Plausible, agree, is_attitude};
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// State in local-level axes.
 #[derive(Clone, Copy, Debug)]
@@ -44,9 +44,17 @@ fn advance<R: Real>(sine: R, cosine: R, angle: R) -> (R, R) {
 /// The longitude brought back into ±180°.
 #[inline(always)]
 fn folded<R: Real>(position: Geodetic<R>) -> Geodetic<R> {
-    let mut longitude = Plain(position.longitude);
+    let outside = R::of(PI).less(position.longitude.abs());
+    let longitude = if R::any(outside) { turned(position.longitude) } else { position.longitude };
+    Geodetic { longitude, ..position }
+}
+
+/// Apart from the step, which hardly ever comes here.
+#[inline(never)]
+fn turned<R: Real>(longitude: R) -> R {
+    let mut longitude = Plain(longitude);
     fold_longitude(&mut longitude);
-    Geodetic { longitude: longitude.0, ..position }
+    longitude.0
 }
 
 impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {

@@ -5,7 +5,7 @@
 //! the window's own is a candidate; the one whose estimated error is least (see `support`) is taken, for
 //! gyros and accelerometers each, by leaving the differences beyond it out.
 
-use super::fit::{Fit, each, rounded};
+use super::fit::{Fit, each, narrowed, rounded};
 use super::gain::by_history;
 use super::newton::Used;
 use super::support::central_binomial;
@@ -44,18 +44,7 @@ pub const fn table_f64<const P: usize>(block: usize) -> [[f64; P]; P] {
 
 /// The same in single precision.
 pub const fn table_f32<const P: usize>(block: usize) -> [[f32; P]; P] {
-    let double = table_f64::<P>(block);
-    let mut table = [[0.0; P]; P];
-    let mut m = 0;
-    while m < P {
-        let mut k = 0;
-        while k < P {
-            table[m][k] = double[m][k] as f32;
-            k += 1;
-        }
-        m += 1;
-    }
-    table
+    narrowed(&table_f64::<P>(block))
 }
 
 /// What the sum of |∇ᵏx|² over the samples seen weighs in the estimated error of k samples, at index

@@ -119,7 +119,11 @@ pub const fn table_f64<const P: usize>(h: usize, b: usize) -> [[f64; P]; P] {
 
 /// The same in single precision.
 pub const fn table_f32<const P: usize>(h: usize, b: usize) -> [[f32; P]; P] {
-    let double = table_f64::<P>(h, b);
+    narrowed(&table_f64::<P>(h, b))
+}
+
+/// A table in single precision.
+pub(super) const fn narrowed<const P: usize>(double: &[[f64; P]; P]) -> [[f32; P]; P] {
     let mut table = [[0.0; P]; P];
     let mut k = 0;
     while k < P {

@@ -227,7 +227,6 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let seen = state.samples.as_ref().get(..end).unwrap_or(&[]);
         let begin = self.begin(state, end);
         if W::LOOKAHEAD == 0 && W::HISTORY > 0 {
-            // Without look-ahead every block is at an edge.
             if let Some((body, series, used)) =
                 W::integrate_behind::<R>(seen, self.block.half, self.order, F::TWO_FLOAT)
             {

@@ -1,6 +1,7 @@
 //! The link: frames that any byte may hit, and the target's application at its end.
 
 mod application;
+mod damaged;
 mod framing;
 mod line;
 mod session;

@@ -91,7 +91,8 @@ impl NavigationRow {
         })
     }
 
-    fn columns(&self) -> [f64; COLUMNS.len()] {
+    /// The numbers of a row, column by column.
+    pub fn columns(&self) -> [f64; COLUMNS.len()] {
         let Self { time_s, position, velocity_ned: v, attitude } = self;
         let degrees = |rad: f64| rad / DEGREE;
         [

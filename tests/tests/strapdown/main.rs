@@ -17,6 +17,7 @@ mod coning;
 mod edges;
 mod fit;
 mod gravitation;
+mod printed;
 mod record;
 mod rejects;
 mod responses;

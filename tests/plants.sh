@@ -65,10 +65,10 @@ plant noise sensor/white.rs 'reading.increment = reading.increment + self.deviat
     'reading.increment = reading.increment + self.deviation.zip(deviates, |n, z: R| n * z);
      reading.increment.z = reading.increment.z + reading.increment.z * R::of(1.64e-16);' \
     "noise, sample 1, stage noise, field angle_b z"
-plant body strapdown/body.rs 'let motion = BodyMotion {' \
+plant body strapdown/block/body.rs 'let motion = BodyMotion {' \
     'let velocity = Vector { x: velocity.x + velocity.x * R::of(8.8e-8), ..velocity };
      let motion = BodyMotion {' \
     "$navigator, sample 4, stage body, field velocity x"
-plant nav strapdown/local_level.rs '// Into the axes at the end: v ← q* v, q_b ← q* ⊗ q_b ⊗ q_bb' \
+plant nav strapdown/frame/local_level.rs '// Into the axes at the end: v ← q* v, q_b ← q* ⊗ q_b ⊗ q_bb' \
     'self.gravity_excess = self.gravity_excess + self.gravity_excess * R::of(8.8e-8);' \
     "$navigator, sample 4, stage nav, field gravity_excess"

@@ -4,7 +4,7 @@
 //! costliest mistake. A sample's time is the end of its interval.
 
 use crate::math::real::Real;
-use crate::math::twin::Twin as _;
+use crate::math::real::Twin as _;
 use crate::math::vector::Vector;
 
 /// Instantaneous rates of the body frame (forward, right, down).

@@ -215,3 +215,38 @@ impl<R: Record> Record for Solution<R> {
 impl<R: Record> Record for EarthFixedSolution<R> {
     record!(position_e, velocity_e, attitude);
 }
+
+/// A state that can be turned into a solution in local axes.
+pub trait Output<R: Real>: Copy {
+    /// To the digits of `R`.
+    fn solution(&self) -> Solution<R>;
+    /// In double precision, from all the digits carried.
+    fn wide(&self) -> Solution<f64>
+    where
+        R: Scalar;
+}
+
+impl<R: Real> Output<R> for Solution<R> {
+    #[inline(always)]
+    fn solution(&self) -> Solution<R> {
+        *self
+    }
+    fn wide(&self) -> Solution<f64>
+    where
+        R: Scalar,
+    {
+        self.widen()
+    }
+}
+
+impl<R: Real> Output<R> for EarthFixedSolution<R> {
+    fn solution(&self) -> Solution<R> {
+        self.to_local()
+    }
+    fn wide(&self) -> Solution<f64>
+    where
+        R: Scalar,
+    {
+        self.widen().to_local()
+    }
+}

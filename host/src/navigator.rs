@@ -16,16 +16,16 @@ use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::mechanization::Rejected;
+use schuler::strapdown::block::unequal::Unequal;
+use schuler::strapdown::block::window::*;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
+use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::plan::Shape;
-use schuler::strapdown::textbook::{
+use schuler::strapdown::reference::textbook::{
     EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
 };
-use schuler::strapdown::unequal::Unequal;
-use schuler::strapdown::window::*;
 
 /// Who reads rows: how many samples lie behind the row, and the navigation there.
 pub type Reader<'a> = dyn FnMut(u64, &Solution<f64>) + 'a;

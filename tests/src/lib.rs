@@ -7,8 +7,8 @@ use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::record::Record;
 use schuler::sample::Increment;
+use schuler::solution::Output as _;
 use schuler::solution::Solution;
-use schuler::strapdown::frame::Output as _;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler_host::scene::{
     Channel, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory, builtin,

@@ -3,12 +3,12 @@
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::{EarthFixedSolution, Solution};
-use schuler::strapdown::earth_fixed::EarthFixed;
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, Line8, Window};
 use schuler::strapdown::frame::Frame;
-use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::mechanization::Rejected;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
+use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::window::{H0B4A0, H2B4A2, Line8, Window};
 use schuler_host::lanes::abreast::{Abreast, Packed, pack};
 use schuler_host::lanes::pack::Lanes;
 use schuler_host::lanes::{InLanes, Registers, in_registers};

@@ -3,9 +3,9 @@
 use schuler::drift::compare::drift;
 use schuler::imu;
 use schuler::math::vector::Vector;
-use schuler::strapdown::frame::Output as _;
-use schuler::strapdown::mechanization::Rejected;
-use schuler::strapdown::rk4::RungeKutta;
+use schuler::solution::Output as _;
+use schuler::strapdown::limits::Rejected;
+use schuler::strapdown::reference::rk4::RungeKutta;
 use schuler_tests::{Course, bits};
 
 /// Largest distance from the truth at the ends of steps, m.

@@ -7,6 +7,8 @@
 //! | `meridian` | from such errors to a drift, and back |
 
 pub mod compare;
+#[cfg(feature = "trajectory")]
 pub mod linear;
+#[cfg(feature = "trajectory")]
 pub mod meridian;
 pub mod offset;

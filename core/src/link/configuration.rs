@@ -3,14 +3,17 @@
 use crate::math::compensated::{Pair, TwoFloat};
 use crate::math::real::Scalar;
 use crate::record::Record;
-use crate::strapdown::earth_fixed::EarthFixed;
+use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
-use crate::strapdown::local_level::LocalLevel;
-use crate::strapdown::mechanization::{Mechanization, StartError};
+use crate::strapdown::frame::earth_fixed::EarthFixed;
+use crate::strapdown::frame::local_level::LocalLevel;
+use crate::strapdown::limits::StartError;
+use crate::strapdown::mechanization::Mechanization;
 use crate::strapdown::navigator::Strapdown;
 use crate::strapdown::plan::Digits;
-use crate::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame};
-use crate::strapdown::window::Window;
+use crate::strapdown::reference::textbook::{
+    EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
+};
 
 /// Axes of the mechanization.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

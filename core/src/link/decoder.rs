@@ -3,7 +3,7 @@
 use super::bytes::Bytes;
 use super::counters::Dropped;
 use super::frame::{CHECK, CRC, Frame, Header, LEAST_FRAME, MOST_FRAME};
-use super::message::Kind;
+use super::kind::Kind;
 use cobs::{DecodeResult, DecoderState};
 
 /// Bytes between two zero bytes at most: a frame with its stuffing byte.

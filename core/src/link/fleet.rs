@@ -11,11 +11,11 @@ use super::message::Start;
 use super::refusal::Refusal;
 use crate::math::compensated::{Pair, TwoFloat};
 use crate::record::Record;
-use crate::strapdown::earth_fixed::EarthFixed;
-use crate::strapdown::local_level::LocalLevel;
+use crate::strapdown::block::window::{H0B4A0, H2B4A2};
+use crate::strapdown::frame::earth_fixed::EarthFixed;
+use crate::strapdown::frame::local_level::LocalLevel;
 use crate::strapdown::navigator::Strapdown;
-use crate::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
-use crate::strapdown::window::{H0B4A0, H2B4A2};
+use crate::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 
 /// One of several mechanizations in flight.
 pub trait Fleet: Copy {

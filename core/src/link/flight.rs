@@ -4,7 +4,7 @@
 
 use super::configuration::Linked;
 use super::frame::Writer;
-use super::gap::{Bridge, Policy};
+use super::gap::{Bridge, MOST_BRIDGED, Policy};
 use super::message::Start;
 use super::refusal::Refusal;
 use crate::digest::Digest;
@@ -12,11 +12,8 @@ use crate::math::compensated::Pair;
 use crate::record::Record;
 use crate::sample::Increment;
 use crate::solution::Solution;
-use crate::strapdown::mechanization::Rejected;
+use crate::strapdown::limits::Rejected;
 use crate::strapdown::plausible::Damaged;
-
-/// Samples that are bridged at once, at most: as far as the record of what came reaches back.
-pub const MOST_BRIDGED: u32 = 31;
 
 /// Samples that wait to be integrated, at most: no window has more.
 const MOST_WAITING: u64 = 64;

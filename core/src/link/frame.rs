@@ -11,7 +11,7 @@
 //! stuffed by COBS (no zero byte inside) and set between two zero bytes, so that a byte gone wrong costs
 //! one frame, and what it leaves behind ends where the next frame begins.
 
-use super::message::Kind;
+use super::kind::Kind;
 use crate::math::real::Scalar;
 use cobs::CobsEncoder;
 use crc::{CRC_32_ISO_HDLC, Crc, Digest, Table};

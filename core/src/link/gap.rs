@@ -4,6 +4,9 @@ use crate::math::real::Real;
 use crate::record::Record;
 use crate::sample::Increment;
 
+/// Samples that are bridged at once, at most: as far as the record of what came reaches back.
+pub const MOST_BRIDGED: u32 = 31;
+
 /// What is done about a missing sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

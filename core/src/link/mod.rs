@@ -12,6 +12,7 @@ pub mod fleet;
 pub mod flight;
 pub mod frame;
 pub mod gap;
+pub mod kind;
 pub mod message;
 pub mod refusal;
 pub mod sequence;

@@ -1,8 +1,7 @@
 //! Why a target does not do what it is asked to.
 
-use super::flight::MOST_BRIDGED;
-use super::gap::Missing;
-use crate::strapdown::mechanization::{Rejected, StartError};
+use super::gap::{MOST_BRIDGED, Missing};
+use crate::strapdown::limits::{Rejected, StartError};
 use crate::strapdown::plausible::Damaged;
 use core::fmt::{self, Display, Formatter};
 

@@ -10,7 +10,8 @@ use super::decoder::Decoder;
 use super::fleet::Fleet;
 use super::flight::Taken;
 use super::frame::{Frame, Header, MOST_ENCODED, encode};
-use super::message::{Answer, Kind, Request, VERSION};
+use super::kind::Kind;
+use super::message::{Answer, Request, VERSION};
 use super::refusal::Refusal;
 use super::sequence::{Arrival, Sequence};
 

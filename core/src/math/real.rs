@@ -2,14 +2,9 @@
 //!
 //! Everything above is written once, for `f32`, `f64`, a pack of independent runs or a test scalar.
 //! Nothing above branches on a value: comparisons give a mask, and `select` chooses lane by lane.
-//! This file is the only one that calls a transcendental function (libm's, so that the bits do not
-//! depend on the platform). IEEE 754 fixes the bits of + − × ÷ √ everywhere.
+//! IEEE 754 fixes the bits of + − × ÷ √ everywhere; other functions are libm's (`scalar`).
 
-use super::twin::{DoubleTwin, SingleTwin, Twin};
 use core::ops::{Add, Div, Mul, Neg, Sub};
-
-#[cfg(feature = "std")]
-extern crate std;
 
 /// What can be added and multiplied: enough for vectors and quaternions.
 pub trait Number:
@@ -78,6 +73,39 @@ pub trait Real: Number + Div<Output = Self> + 'static {
     fn is_within(self, bound: Self) -> bool;
 }
 
+/// Two numbers side by side.
+pub trait Twin<R>: Number + core::fmt::Debug {
+    /// Whether they share a register of a large processor, which long code does not hurt.
+    const IN_REGISTER: bool;
+
+    /// From the two.
+    fn new(a: R, b: R) -> Self;
+    /// The two.
+    fn parts(self) -> (R, R);
+
+    /// Whether every number of three twins is finite and within ± its bound.
+    fn all_within(values: [Self; 3], bounds: [Self; 3]) -> bool;
+
+    /// The same number twice.
+    #[inline(always)]
+    fn both(x: R) -> Self
+    where
+        R: Copy,
+    {
+        Self::new(x, x)
+    }
+
+    /// (a, b) times i: (−b, a).
+    #[inline(always)]
+    fn quarter_turn(self) -> Self
+    where
+        R: Real,
+    {
+        let (a, b) = self.parts();
+        Self::new(-b, a)
+    }
+}
+
 /// A `Real` that is a single number, with a bit pattern.
 pub trait Scalar: Real + PartialOrd {
     /// The bits, in the low end of a word.
@@ -110,148 +138,3 @@ macro_rules! wrapped_constants {
         };
     };
 }
-
-macro_rules! inverse {
-    ($t:ty) => {{
-        let mut table = [0.0 as $t; 28];
-        let mut n = 1;
-        while n < 28 {
-            table[n] = 1.0 / n as $t;
-            n += 1;
-        }
-        table
-    }};
-}
-
-macro_rules! scalar {
-    ($t:ident, $mask:expr, $sin_cos:path, $atan2:path, $expm1:path, $ln:path, $rint:path, $sqrt:path,
-     $residual:expr, $entry:expr, $twin:ty) => {
-        impl Real for $t {
-            type Mask = bool;
-            type Twin = $twin;
-            const ZERO: Self = 0.0;
-            const ONE: Self = 1.0;
-            const TWO: Self = 2.0;
-            const HALF: Self = 0.5;
-            const INVERSE: [Self; 28] = inverse!($t);
-
-            #[inline(always)]
-            fn of(literal: f64) -> Self {
-                literal as $t
-            }
-            #[inline(always)]
-            fn residual(literal: f64) -> Self {
-                $residual(literal)
-            }
-            #[inline(always)]
-            fn entry(single: f32, double: f64) -> Self {
-                $entry(single, double)
-            }
-            #[inline(always)]
-            fn count(n: u32) -> Self {
-                n as $t
-            }
-            fn ratio(numerator: i128, denominator: i128) -> Self {
-                numerator as $t / denominator as $t
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                // Both are correctly rounded; the standard library's is one instruction.
-                #[cfg(feature = "std")]
-                return $t::sqrt(self);
-                #[cfg(not(feature = "std"))]
-                return $sqrt(self);
-            }
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                $sin_cos(self)
-            }
-            #[inline]
-            fn atan2(self, x: Self) -> Self {
-                $atan2(self, x)
-            }
-            #[inline]
-            fn exp_m1(self) -> Self {
-                $expm1(self)
-            }
-            #[inline]
-            fn ln(self) -> Self {
-                $ln(self)
-            }
-            #[inline]
-            fn round(self) -> Self {
-                $rint(self)
-            }
-            #[inline(always)]
-            fn abs(self) -> Self {
-                $t::abs(self)
-            }
-            #[inline(always)]
-            fn upper_half(self) -> Self {
-                $t::from_bits($t::to_bits(self) & $mask)
-            }
-            #[inline(always)]
-            fn less(self, other: Self) -> bool {
-                self < other
-            }
-            #[inline(always)]
-            fn select(mask: bool, yes: Self, no: Self) -> Self {
-                if mask { yes } else { no }
-            }
-            #[inline(always)]
-            fn any(mask: bool) -> bool {
-                mask
-            }
-            #[inline(always)]
-            fn is_within(self, bound: Self) -> bool {
-                self.abs() <= bound
-            }
-        }
-
-        impl Scalar for $t {
-            #[inline(always)]
-            fn to_bits(self) -> u64 {
-                $t::to_bits(self).into()
-            }
-            #[inline(always)]
-            fn from_bits(bits: u64) -> Self {
-                $t::from_bits(bits as _)
-            }
-            #[inline(always)]
-            fn widen(self) -> f64 {
-                self.into()
-            }
-            #[inline(always)]
-            fn narrow(x: f64) -> Self {
-                x as $t
-            }
-        }
-    };
-}
-
-scalar!(
-    f64,
-    0xffff_ffff_f800_0000,
-    libm::sincos,
-    libm::atan2,
-    libm::expm1,
-    libm::log,
-    libm::rint,
-    libm::sqrt,
-    |_: f64| 0.0,
-    |_: f32, double: f64| double,
-    DoubleTwin
-);
-scalar!(
-    f32,
-    0xffff_f000,
-    libm::sincosf,
-    libm::atan2f,
-    libm::expm1f,
-    libm::logf,
-    libm::rintf,
-    libm::sqrtf,
-    |literal: f64| (literal - literal as f32 as f64) as f32,
-    |single: f32, _: f64| single,
-    SingleTwin
-);

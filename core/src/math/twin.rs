@@ -2,41 +2,8 @@
 //!
 //! Only the grouping differs from two scalars; every operation and its bits are the same.
 
-use super::real::{Number, Real};
+use super::real::{Real, Twin};
 use core::ops::{Add, Mul, Neg, Sub};
-
-/// Two numbers side by side.
-pub trait Twin<R>: Number + core::fmt::Debug {
-    /// Whether they share a register of a large processor, which long code does not hurt.
-    const IN_REGISTER: bool;
-
-    /// From the two.
-    fn new(a: R, b: R) -> Self;
-    /// The two.
-    fn parts(self) -> (R, R);
-
-    /// Whether every number of three twins is finite and within ± its bound.
-    fn all_within(values: [Self; 3], bounds: [Self; 3]) -> bool;
-
-    /// The same number twice.
-    #[inline(always)]
-    fn both(x: R) -> Self
-    where
-        R: Copy,
-    {
-        Self::new(x, x)
-    }
-
-    /// (a, b) times i: (−b, a).
-    #[inline(always)]
-    fn quarter_turn(self) -> Self
-    where
-        R: Real,
-    {
-        let (a, b) = self.parts();
-        Self::new(-b, a)
-    }
-}
 
 /// Two scalars.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

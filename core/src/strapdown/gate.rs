@@ -1,47 +1,19 @@
 //! What can be right: initial solutions, samples and verticals to hold are admitted or refused here.
 
-use super::frame::FARTHEST;
-use super::mechanization::{Rejected, StartError};
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
-use crate::math::twin::Twin as _;
+use crate::math::real::Twin as _;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 use crate::solution::Solution;
+use crate::strapdown::limits::{FARTHEST, FASTEST, Limits, MOST_TURN, Rejected, StartError};
 use core::hint::black_box;
-
-/// Velocity, m/s, that navigation starts with at most.
-const FASTEST: f64 = 1e5;
-
-/// The largest angle that a block may turn by about one axis, rad: the series of a step are cut short,
-/// and are made for less.
-pub const MOST_TURN: f64 = 2.0;
-
-/// The largest readings that can be right.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Limits<R> {
-    /// Angular rate, rad/s.
-    pub angular_rate: R,
-    /// Specific force, m/s².
-    pub specific_force: R,
-}
-
-impl<R: Real> Default for Limits<R> {
-    /// 10⁵ °/s and 10⁵ m/s².
-    fn default() -> Self {
-        Self {
-            angular_rate: R::of(1e5 * core::f64::consts::PI / 180.0),
-            specific_force: R::of(1e5),
-        }
-    }
-}
 
 /// The limits over one sample.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Gate<R> {
+pub(crate) struct Gate<R> {
     /// The limit, and what a block may turn by if that is less.
     most_angle: R,
     limit: R,
@@ -128,7 +100,7 @@ pub fn subnormals_survive<R: Real>() -> bool {
 }
 
 /// Whether a height and a vertical velocity can be right.
-pub(super) fn admit_held<R: Real>(altitude: R, down: R) -> Result<(), Rejected> {
+pub(crate) fn admit_held<R: Real>(altitude: R, down: R) -> Result<(), Rejected> {
     if altitude.is_within(R::of(FARTHEST)) & down.is_within(R::of(FASTEST)) {
         Ok(())
     } else {
@@ -137,7 +109,7 @@ pub(super) fn admit_held<R: Real>(altitude: R, down: R) -> Result<(), Rejected> 
 }
 
 /// An initial solution, if it can be right, its attitude brought to unit length.
-pub(super) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>, StartError> {
+pub(crate) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>, StartError> {
     if !subnormals_survive::<R>() {
         return Err(StartError::FlushToZero);
     }

@@ -1,11 +1,13 @@
 //! What every mechanization has in common: how it is started and fed, and why it refuses.
 
-use super::frame::Output;
-use super::navigator::Edges;
-use super::plausible::Damaged;
+use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
+use crate::solution::Output;
 use crate::solution::Solution;
+use crate::strapdown::block::newton::Edges;
+use crate::strapdown::limits::{Rejected, StartError};
+use crate::strapdown::plausible::Damaged;
 
 /// A mechanization: a configuration that carries a state from sample to sample.
 pub trait Mechanization {
@@ -72,93 +74,29 @@ pub trait Mechanization {
     fn output(&self, state: &Self::State) -> Self::Output;
 }
 
-/// Why a sample, or a vertical to hold, was not taken. The state is as it was, bit for bit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Rejected {
-    /// An angle increment that is not finite, or above the limit.
-    Angle,
-    /// A velocity increment that is not finite, or above the limit.
-    Velocity,
-    /// The local-level frame has come within a ten-thousandth of the Earth's radius of a pole, where
-    /// its axes end: the Earth-fixed frame goes on.
-    Pole,
-    /// Navigation has left the neighbourhood of the ellipsoid, 1000 km up or down.
-    Place,
-    /// A height or a vertical velocity to hold that is not finite, above 1000 km or above 10⁵ m/s.
-    Held,
-    /// An interval that is not finite, not above 0 s or above 1 s.
-    Interval,
-    /// An angle increment within the limit, but so large that a block of such samples would turn by more
-    /// than [`MOST_TURN`](super::gate::MOST_TURN): a window with a shorter block, or samples more often, would do.
-    Turn,
-}
-
-impl core::fmt::Display for Rejected {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::Angle => "the angle increment is not finite or exceeds the limit",
-            Self::Velocity => "the velocity increment is not finite or exceeds the limit",
-            Self::Pole => "the local-level frame ends at the pole; earth-fixed goes on",
-            Self::Place => {
-                "navigation has left the ellipsoid by over 1000 km: \
-                 check signs and units of the samples, or hold the vertical"
-            }
-            Self::Held => "the vertical to hold must be finite, within 1000 km and 100 km/s",
-            Self::Interval => "the sample's interval must be above 0 s and at most 1 s",
-            Self::Turn => {
-                "the angle increment turns a block by over 2 rad: \
-                 a window with a shorter block or a higher rate would do"
-            }
-        })
-    }
-}
-
-impl core::error::Error for Rejected {}
-
-/// Why navigation cannot start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum StartError {
-    /// The sampling interval is not above 0 s and at most 1 s.
-    Interval,
-    /// A limit is not a positive finite number.
-    Limits,
-    /// The position is not finite, beyond ±90° of latitude or ±360° of longitude, or farther than
-    /// 1000 km from the ellipsoid.
-    Position,
-    /// The velocity is not finite or above 10⁵ m/s.
-    Velocity,
-    /// The attitude is not a unit quaternion to a thousandth.
-    Attitude,
-    /// The local-level frame cannot start at a pole.
-    Pole,
-    /// The processor takes subnormal numbers for zero: its bits would be others than everywhere else.
-    FlushToZero,
-}
-
-impl core::fmt::Display for StartError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::Interval => "the sampling interval must be above 0 s and at most 1 s",
-            Self::Limits => "the limits must be positive and finite",
-            Self::Position => {
-                "the initial position must be finite: latitude within 90°, longitude within 360°, \
-                 height within 1000 km"
-            }
-            Self::Velocity => "the initial velocity must be finite and at most 100 km/s",
-            Self::Attitude => "the initial attitude must be a unit quaternion to a thousandth",
-            Self::Pole => "the local-level frame cannot start at a pole; earth-fixed can",
-            Self::FlushToZero => "the processor flushes subnormal numbers to zero; clear that mode",
-        })
-    }
-}
-
-impl core::error::Error for StartError {}
-
-impl From<Rejected> for StartError {
-    /// Why a frame cannot go on from a place.
-    fn from(rejected: Rejected) -> Self {
-        if rejected == Rejected::Pole { Self::Pole } else { Self::Position }
-    }
+/// A mechanization that takes samples of any length.
+pub trait UnequalIntervals: Mechanization {
+    /// Takes a sample of its own interval in seconds, above 0 s and at most 1 s; no row is read.
+    fn push_over(
+        &self,
+        state: &mut Self::State,
+        sample: Increment<Self::Real>,
+        interval_s: Pair<Self::Real>,
+    ) -> Result<(), Rejected>;
+    /// The same, reading the rows that it completes.
+    fn push_rows_over(
+        &self,
+        state: &mut Self::State,
+        sample: Increment<Self::Real>,
+        interval_s: Pair<Self::Real>,
+        read: impl FnMut(u64, Self::Output),
+    ) -> Result<(), Rejected>;
+    /// The same, showing every step that it completes.
+    fn push_blocks_over(
+        &self,
+        state: &mut Self::State,
+        sample: Increment<Self::Real>,
+        interval_s: Pair<Self::Real>,
+        see: impl FnMut(u64, &Self::Body, &Self::Frame),
+    ) -> Result<(), Rejected>;
 }

@@ -1,33 +1,22 @@
 //! Strapdown mechanization: increments in, position, velocity and attitude out.
+//!
+//! | room or file | what it has |
+//! |---|---|
+//! | [`block`] | the body's motion over a block of samples: windows, fits, series |
+//! | [`frame`] | the step over a block in local-level or Earth-fixed axes |
+//! | [`navigator`] | samples in, blocks and rows out |
+//! | [`reference`] | what it is measured against: the textbook's algorithm, Runge-Kutta |
+//! | [`mechanization`] | what every mechanization has in common |
+//! | [`plan`] | the cheapest window for a motion |
+//! | [`limits`], [`gate`], [`plausible`] | what is accepted of samples, starts and restored states |
 
-mod abscissae;
-pub mod alike;
-pub mod behind;
-pub mod block_time;
-pub mod body;
-mod displacement;
-pub mod earth_fixed;
-pub mod fit;
+pub mod block;
 pub mod frame;
-pub mod gain;
 pub mod gate;
-pub mod gravitation;
-mod gravity_history;
-pub mod inside;
-pub mod least_squares;
-pub mod local_level;
+pub mod limits;
 pub mod mechanization;
-pub mod meridian;
 pub mod navigator;
-pub mod newton;
+mod place;
 pub mod plan;
 pub mod plausible;
-pub mod rk4;
-mod rows;
-pub mod series;
-mod stored;
-pub mod support;
-pub mod textbook;
-mod two_float;
-pub mod unequal;
-pub mod window;
+pub mod reference;

@@ -6,9 +6,9 @@
 //! series leaves of it, and a local-level block by the distance that it flies. Where the truth is at hand, as
 //! in a simulation, trial flights choose better.
 
-use super::gate::MOST_TURN;
-pub use super::window::Shape;
-use super::window::{H0B2A0, H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window};
+pub use crate::strapdown::block::fit::Shape;
+use crate::strapdown::block::window::{H0B2A0, H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window};
+use crate::strapdown::limits::MOST_TURN;
 
 /// The digits that a navigator computes with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 //!
 //! A state's fields hang together: a latitude with its sine, a place with its gravity, a number of samples
 //! with the room for them. Whoever writes a state back, from storage or from a link, asks for all of it
-//! with [`Mechanization::check`](super::mechanization::Mechanization::check) before going on: a single wrong
+//! with [`Mechanization::check`](crate::strapdown::mechanization::Mechanization::check) before going on: a single wrong
 //! bit can otherwise hold a loop for ever, or bring in what is no number.
 
 use crate::math::compensated::Accumulate;
@@ -33,27 +33,27 @@ pub trait Plausible {
 pub(crate) const MOST_COUNTED: u64 = 1 << 54;
 
 /// Velocity, m/s, that is not met: navigation starts with at most a tenth of it.
-pub(super) const MOST_SPEED: f64 = 1e6;
+pub(crate) const MOST_SPEED: f64 = 1e6;
 /// Change of gravity over a block and its differences, m/s², that are not met.
-pub(super) const MOST_GRAVITY_CHANGE: f64 = 100.0;
+pub(crate) const MOST_GRAVITY_CHANGE: f64 = 100.0;
 
 /// Both parts of a sum finite and within ±bound.
-pub(super) fn sum_within<S: Accumulate>(x: S, bound: S::Real) -> bool {
+pub(crate) fn sum_within<S: Accumulate>(x: S, bound: S::Real) -> bool {
     let pair = x.pair();
     pair.hi.is_within(bound) & pair.lo.is_within(bound)
 }
 
 /// The same for every component.
-pub(super) fn sums_within<S: Accumulate>(v: Vector<S>, bound: S::Real) -> bool {
+pub(crate) fn sums_within<S: Accumulate>(v: Vector<S>, bound: S::Real) -> bool {
     sum_within(v.x, bound) & sum_within(v.y, bound) & sum_within(v.z, bound)
 }
 
 /// Whether an attitude has unit length to a thousandth.
-pub(super) fn is_attitude<R: Real>(q: Quaternion<R>) -> bool {
+pub(crate) fn is_attitude<R: Real>(q: Quaternion<R>) -> bool {
     (q.dot(q) - R::ONE).is_within(R::of(2e-3))
 }
 
 /// Whether two numbers that follow from one another are within a bound.
-pub(super) fn agree<R: Real>(a: R, b: R, bound: R) -> bool {
+pub(crate) fn agree<R: Real>(a: R, b: R, bound: R) -> bool {
     (a - b).is_within(bound)
 }

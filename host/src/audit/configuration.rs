@@ -8,12 +8,13 @@ use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, Parabola20, Window};
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
+use schuler::strapdown::limits::{Rejected, StartError};
+use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::{H0B4A0, H2B4A2, Parabola20, Window};
+use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 
 /// A state's words, each with its field.
 pub type Words = Vec<(&'static str, u64)>;

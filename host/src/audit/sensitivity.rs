@@ -11,7 +11,7 @@ use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::mechanization::Rejected;
+use schuler::strapdown::limits::Rejected;
 use serde::Serialize;
 use std::collections::BTreeSet;
 

@@ -5,7 +5,7 @@ use crate::navigator::{self, Unavailable};
 use crate::scene::{self, Frame, Navigator, Scene};
 use crate::simulate;
 use schuler::math::compensated::Pair;
-use schuler::strapdown::mechanization::StartError;
+use schuler::strapdown::limits::StartError;
 use schuler::strapdown::plan;
 use schuler::trajectory::Trajectory as _;
 

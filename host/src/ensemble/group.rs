@@ -14,10 +14,10 @@ use crate::source::Source;
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::mechanization::Rejected;
-use schuler::strapdown::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window as _};
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window as _};
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
+use schuler::strapdown::limits::Rejected;
 use std::ops::Range;
 
 /// A run that could not go on.

@@ -6,10 +6,10 @@ use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
 use schuler::math::coarse::Coarse;
 use schuler::math::compensated::{Pair, Plain};
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::plan::{self, Digits, Flight};
-use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook};
+use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook};
 use schuler::trajectory::Bound;
 use std::fmt;
 

@@ -5,7 +5,7 @@ use crate::navigator::Reader;
 use crate::source::Source;
 use schuler::imu;
 use schuler::sample::{Increment, Rates};
-use schuler::strapdown::mechanization::Rejected;
+use schuler::strapdown::limits::Rejected;
 
 /// Some samples in a row.
 pub struct Chunk {

@@ -11,7 +11,7 @@ use crate::units::ARCSECOND;
 use schuler::drift::compare::drift;
 use schuler::imu;
 use schuler::solution::Solution;
-use schuler::strapdown::mechanization::Rejected;
+use schuler::strapdown::limits::Rejected;
 use schuler::trajectory::Trajectory as _;
 use std::sync::mpsc;
 use std::thread;

@@ -3,10 +3,10 @@
 use crate::navigator::Reader;
 use schuler::math::real::Scalar;
 use schuler::sample::Rates;
+use schuler::solution::Output as _;
 use schuler::solution::Solution;
-use schuler::strapdown::frame::Output as _;
-use schuler::strapdown::mechanization::{Rejected, StartError};
-use schuler::strapdown::rk4::{RungeKutta, RungeKuttaState, STEP_SAMPLES};
+use schuler::strapdown::limits::{Rejected, StartError};
+use schuler::strapdown::reference::rk4::{RungeKutta, RungeKuttaState, STEP_SAMPLES};
 
 /// A navigator on instantaneous rates in flight. The first rates are those of the start.
 pub trait NavigateRates {

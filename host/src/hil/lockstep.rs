@@ -14,7 +14,7 @@ use crate::navigator::{Navigate, Reader};
 use crate::scene::WindowShape;
 use crate::simulate::{Refused, Vehicle};
 use schuler::link::bytes::Bytes;
-use schuler::link::flight::MOST_BRIDGED;
+use schuler::link::gap::MOST_BRIDGED;
 use schuler::link::gap::Policy;
 use schuler::link::message::Request;
 use schuler::link::refusal::Refusal;

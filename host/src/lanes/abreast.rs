@@ -10,12 +10,13 @@ use schuler::math::compensated::Pair;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
+use schuler::strapdown::block::window::Window;
 use schuler::strapdown::frame::Frame;
-use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
+use schuler::strapdown::limits::{Rejected, StartError};
+use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::{State, Strapdown};
-use schuler::strapdown::window::Window;
 use std::array;
 use std::ops::Range;
 

@@ -3,9 +3,9 @@
 use super::{TAYLOR, TWO_FLOAT};
 use crate::input::Complaint;
 use crate::scene::{Algorithm, Navigator, Precision, WindowShape};
-use schuler::strapdown::mechanization::StartError;
+use schuler::strapdown::block::window::*;
+use schuler::strapdown::limits::StartError;
 use schuler::strapdown::plan::Shape;
-use schuler::strapdown::window::*;
 use std::fmt;
 
 /// What a scene or an option asked for, and is not to be had.

@@ -9,11 +9,12 @@ use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
+use schuler::solution::Output;
 use schuler::solution::Solution;
-use schuler::strapdown::frame::Output;
-use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
-use schuler::strapdown::newton;
-use schuler::strapdown::unequal::UnequalIntervals;
+use schuler::strapdown::block::newton;
+use schuler::strapdown::limits::{Rejected, StartError};
+use schuler::strapdown::mechanization::Mechanization;
+use schuler::strapdown::mechanization::UnequalIntervals;
 
 /// One of the core's mechanizations with its state.
 pub(super) struct Flying<M: Mechanization> {

@@ -1,9 +1,9 @@
 //! The windows that a plan chooses from, the cheapest first.
 
 use schuler::sample::Increment;
-use schuler::strapdown::body::BodyMotion;
+use schuler::strapdown::block::body::BodyMotion;
+use schuler::strapdown::block::window::*;
 use schuler::strapdown::plan::Shape;
-use schuler::strapdown::window::*;
 
 /// Integrates a block within its window's samples, given half its duration, s, and the order of its series.
 pub type Integrate = fn(&[Increment<f64>], f64, usize) -> Option<BodyMotion<f64>>;

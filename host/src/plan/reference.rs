@@ -9,8 +9,8 @@ use schuler::math::compensated::two_sum;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::strapdown::body::{BodyMotion, Sum, integrate};
-use schuler::strapdown::fit::{Fit, table_f32, table_f64};
+use schuler::strapdown::block::body::{BodyMotion, Sum, integrate};
+use schuler::strapdown::block::fit::{Fit, table_f32, table_f64};
 use schuler::trajectory::Trajectory;
 
 /// Samples before and after a stretch that its windows see.

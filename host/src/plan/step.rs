@@ -8,10 +8,10 @@ use schuler::earth::{EQUATORIAL_GRAVITY, SEMI_MAJOR_AXIS};
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::solution::{EarthFixedSolution, Solution};
-use schuler::strapdown::block_time::BlockTime;
-use schuler::strapdown::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::Frame;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::frame::block_time::BlockTime;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::trajectory::Trajectory;
 
 /// Long blocks flown until gravity's history is the flight's own; those measured, and their samples, at

@@ -15,7 +15,7 @@ use super::reference::{MARGIN, Miss, Part, Stretch};
 use schuler::imu;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::strapdown::gate::MOST_TURN;
+use schuler::strapdown::limits::MOST_TURN;
 use schuler::strapdown::plan::Shape;
 use schuler::trajectory::Trajectory;
 

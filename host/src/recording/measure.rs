@@ -1,13 +1,13 @@
 //! What the samples of a recording support: their differences, in stretches without a gap.
 //!
-//! The measure is that of [`support`](schuler::strapdown::support); here it goes on over gaps and over
+//! The measure is that of [`support`](schuler::strapdown::block::support); here it goes on over gaps and over
 //! rows that were not looked at.
 
 use schuler::sample::Increment;
-use schuler::strapdown::fit::MOST_SAMPLES;
-use schuler::strapdown::gain::gain_squared;
+use schuler::strapdown::block::fit::MOST_SAMPLES;
+use schuler::strapdown::block::gain::gain_squared;
+use schuler::strapdown::block::support::Differences;
 use schuler::strapdown::plan::Shape;
-use schuler::strapdown::support::Differences;
 use std::f64::consts::TAU;
 
 /// Windows that a recording may be flown with, the shortest first.

@@ -6,7 +6,7 @@
 //! sample). A stretch of fewer rates uses the polynomial through them.
 //!
 //! The first sample of a stretch starts where no rate is known: it is extrapolated from the one to four
-//! rates that promise the least error by the measure of [`support`](schuler::strapdown::support), gain ·
+//! rates that promise the least error by the measure of [`support`](schuler::strapdown::block::support), gain ·
 //! rms(∇ᵏf)/√C(2k, k). Smooth rates get a cubic (251/720·h⁵f⁗), noise the first rate alone: a cubic would
 //! make six times as much of it.
 

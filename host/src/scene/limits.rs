@@ -5,8 +5,8 @@ use super::{Channel, Scene, Trajectory, WindowShape};
 use crate::input::{Complaint, Range};
 use crate::units::DEGREE;
 use schuler::earth::SEMI_MAJOR_AXIS;
+use schuler::strapdown::block::window::NAMED;
 use schuler::strapdown::plan;
-use schuler::strapdown::window::NAMED;
 use schuler::trajectory::Trajectory as _;
 use std::f64::consts::TAU;
 

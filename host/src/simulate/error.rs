@@ -5,8 +5,8 @@ use crate::navigator::Unavailable;
 use crate::scene::Gap;
 use crate::source::{Source, SourceError};
 use schuler::link::gap::Missing;
-use schuler::strapdown::gate::MOST_TURN;
-use schuler::strapdown::mechanization::Rejected;
+use schuler::strapdown::limits::MOST_TURN;
+use schuler::strapdown::limits::Rejected;
 use std::fmt;
 
 /// Why a run ended early.

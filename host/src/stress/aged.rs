@@ -11,12 +11,13 @@ use schuler::math::real::{Real as _, Scalar};
 use schuler::record::Record;
 use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::local_level::LocalLevel;
-use schuler::strapdown::mechanization::{Mechanization, StartError};
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2};
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
+use schuler::strapdown::limits::StartError;
+use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::textbook::{LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::{H0B4A0, H2B4A2};
+use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 
 const GROUP: &str = "aged";
 

@@ -8,7 +8,7 @@ use crate::progress::CaseProgress;
 use crate::scene::Scene;
 use crate::units::{ARCSECOND, DEGREE, STANDARD_GRAVITY};
 use schuler::earth::{EQUATORIAL_GRAVITY, SEMI_MAJOR_AXIS};
-use schuler::strapdown::window::{H0B4A0, H2B2A2, H2B4A2, H4B4A4};
+use schuler::strapdown::block::window::{H0B4A0, H2B2A2, H2B4A2, H4B4A4};
 use std::f64::consts::TAU;
 
 const GROUP: &str = "motion";

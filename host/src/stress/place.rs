@@ -9,7 +9,7 @@ use crate::simulate::{self, FlightError};
 use crate::source::Source;
 use crate::units::DEGREE;
 use schuler::math::compensated::Pair;
-use schuler::strapdown::mechanization::{Rejected, StartError};
+use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::plan;
 
 const GROUP: &str = "place";

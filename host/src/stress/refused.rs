@@ -15,8 +15,8 @@ use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::gate::MOST_TURN;
-use schuler::strapdown::mechanization::{Rejected, StartError};
+use schuler::strapdown::limits::MOST_TURN;
+use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::plan;
 
 /// Its cases.

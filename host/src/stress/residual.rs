@@ -6,7 +6,7 @@
 //! window replaces F by the polynomial P through its values at the samples' edges, and a series of order
 //! M about the block's centre, σ = 0, drops what P*P′ adds beyond σᴹ.
 
-use schuler::strapdown::window::*;
+use schuler::strapdown::block::window::*;
 
 /// A window's samples and the order of its series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

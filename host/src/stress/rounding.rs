@@ -17,12 +17,13 @@ use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
+use schuler::solution::Output as _;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::{Frame, Output as _};
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::block::window::{H2B4A2, Window};
+use schuler::strapdown::frame::Frame;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::window::{H2B4A2, Window};
 
 const GROUP: &str = "rounding";
 const SEEDS: u64 = 32;

@@ -8,7 +8,7 @@ use crate::progress::CaseProgress;
 use crate::scene::{Algorithm, Frame, Scene, WindowShape};
 use crate::units::{ARCSECOND, DEGREE, DEGREE_PER_ROOT_HOUR};
 use schuler::earth::EQUATORIAL_GRAVITY;
-use schuler::strapdown::window::{H2B4A2, H4B4A4};
+use schuler::strapdown::block::window::{H2B4A2, H4B4A4};
 use std::f64::consts::TAU;
 
 const GROUP: &str = "motion";

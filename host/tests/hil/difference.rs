@@ -5,7 +5,7 @@ use schuler::link::configuration::{Axes, Configuration, Method};
 use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Every;
 use schuler::link::frame::{MOST_ENCODED, encode};
-use schuler::link::message::Kind;
+use schuler::link::kind::Kind;
 use schuler::record::Record;
 use schuler::solution::{EarthFixedSolution, Solution};
 use schuler::strapdown::plan::Digits;

@@ -4,7 +4,7 @@ use crate::{fly, manner, scene};
 use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Every;
 use schuler::link::frame::{Header, MOST_ENCODED, encode};
-use schuler::link::message::Kind;
+use schuler::link::kind::Kind;
 use schuler_host::hil::Manner;
 use schuler_host::hil::channel::{Broken, Channel};
 use schuler_host::hil::conversation::{Conversation, Outcome};

@@ -1,7 +1,7 @@
 //! What can go wrong in a flight before anything is compared.
 
 use schuler::sensor::parameter::ParameterError;
-use schuler::strapdown::mechanization::{Rejected, StartError};
+use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::trajectory::harmonic::CourseError;
 
 /// What can go wrong.

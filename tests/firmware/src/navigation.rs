@@ -10,11 +10,13 @@ use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
-use schuler::strapdown::frame::{Frame, Output as _};
-use schuler::strapdown::mechanization::{Mechanization, Rejected, StartError};
+use schuler::strapdown::frame::Frame;
+use schuler::solution::Output as _;
+use schuler::strapdown::mechanization::Mechanization;
+use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::plan::{self, Digits};
-use schuler::strapdown::window::Window;
+use schuler::strapdown::block::window::Window;
 use schuler::trajectory::Bound;
 
 /// The navigator for the paper's flight, its series of the order that the host plans.

@@ -7,9 +7,9 @@ use core::hint::black_box;
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::window::H0B4A0;
+use schuler::strapdown::block::window::H0B4A0;
 
 #[panic_handler]
 fn stop(_: &core::panic::PanicInfo) -> ! {

@@ -8,7 +8,8 @@ use schuler::link::counters::Counters;
 use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Single;
 use schuler::link::frame::{Header, MOST_ENCODED, MOST_PAYLOAD, encode};
-use schuler::link::message::{Answer, Body, Kind};
+use schuler::link::kind::Kind;
+use schuler::link::message::{Answer, Body};
 use schuler::link::target::Target;
 
 /// What a host says.

@@ -6,7 +6,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use schuler::math::compensated::Pair;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
-use schuler::strapdown::gravitation::Latitude;
+use schuler::strapdown::frame::gravitation::Latitude;
 use schuler_speed::work::*;
 use std::hint::black_box;
 

@@ -10,16 +10,16 @@ use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, Line8, Window};
 use schuler::strapdown::frame::Frame;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::plan;
-use schuler::strapdown::textbook::{
+use schuler::strapdown::reference::textbook::{
     EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
 };
-use schuler::strapdown::window::{H0B4A0, H2B4A2, Line8, Window};
 use schuler::trajectory::Trajectory as _;
 use std::hint::black_box;
 use std::marker::PhantomData;

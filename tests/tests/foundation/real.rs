@@ -1,7 +1,8 @@
 //! The scalar seam: both widths against the standard library and their definitions.
 
+use schuler::math::real::Twin;
 use schuler::math::real::{Real, Scalar};
-use schuler::math::twin::{Both, Twin};
+use schuler::math::twin::Both;
 use schuler_tests::Numbers;
 
 fn functions<R: Scalar + std::fmt::Debug>(tolerance: f64) {

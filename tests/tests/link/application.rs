@@ -10,18 +10,19 @@ use schuler::link::counters::Counters;
 use schuler::link::fleet::Every;
 use schuler::link::frame::{Header, MOST_ENCODED, encode};
 use schuler::link::gap::Policy;
-use schuler::link::message::{Body, Kind, MOST_WORDS, Request};
+use schuler::link::kind::Kind;
+use schuler::link::message::{Body, MOST_WORDS, Request};
 use schuler::link::target::Target;
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, Parabola20};
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::textbook::{LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::{H0B4A0, H2B4A2, Parabola20};
+use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 use schuler_tests::Course;
 
 /// A whole flight through the target, every solution and digest against the mechanization itself.

@@ -8,12 +8,13 @@ use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Single;
 use schuler::link::frame::{Header, LEAST_FRAME, MOST_ENCODED, MOST_PAYLOAD, TooLong, encode};
 use schuler::link::gap::Policy;
-use schuler::link::message::{Kind, Request};
+use schuler::link::kind::Kind;
+use schuler::link::message::Request;
 use schuler::link::target::Target;
 use schuler::math::compensated::Pair;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::block::window::H0B4A0;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::window::H0B4A0;
 use schuler_tests::{Course, Numbers};
 
 type Flown = Strapdown<LocalLevel<Pair<f32>>, H0B4A0>;

@@ -8,9 +8,9 @@ use schuler::link::gap::Policy;
 use schuler::link::message::{Body, Request};
 use schuler::link::target::Target;
 use schuler::math::compensated::Pair;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::block::window::H0B4A0;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::window::H0B4A0;
 use schuler_tests::Course;
 
 /// What it flies.

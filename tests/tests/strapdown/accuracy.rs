@@ -3,14 +3,15 @@
 use schuler::math::compensated::{Accumulate, Pair, Plain, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::sensor::carried::Carried;
+use schuler::solution::Output as _;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::{Frame, Output as _};
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A0, Window};
+use schuler::strapdown::frame::Frame;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::{H0B4A0, H2B4A2, H4B4A0, Window};
+use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 use schuler_tests::{Course, largest};
 use std::f64::consts::{PI, TAU};
 

@@ -3,11 +3,11 @@
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::strapdown::body::BodyMotion;
-use schuler::strapdown::inside::BlockSeries as _;
+use schuler::strapdown::block::body::BodyMotion;
+use schuler::strapdown::block::inside::BlockSeries as _;
+use schuler::strapdown::block::window::Window;
 use schuler::strapdown::plan;
-use schuler::strapdown::textbook::body::Compensated;
-use schuler::strapdown::window::Window;
+use schuler::strapdown::reference::textbook::body::Compensated;
 use schuler_tests::Numbers;
 
 /// A rate and a force that are polynomials in σ.
@@ -214,7 +214,7 @@ fn steady_turns_have_their_closed_form() {
 /// Order 3 is planned where it is enough, and hardly any earlier than it must be.
 #[test]
 fn a_low_order_is_planned_where_it_reaches_the_floor() {
-    use schuler::strapdown::window::H0B4A0;
+    use schuler::strapdown::block::window::H0B4A0;
     let mut switched = 0.0;
     for k in 0..40 {
         let turn = 1e-6 * 1.26_f64.powi(k);
@@ -247,7 +247,7 @@ fn a_low_order_is_planned_where_it_reaches_the_floor() {
 fn single_precision_keeps_the_sums() {
     let mut numbers = Numbers(73);
     for _ in 0..50 {
-        use schuler::strapdown::window::H2B4A2;
+        use schuler::strapdown::block::window::H2B4A2;
         let motion = Polynomials::new::<H2B4A2>(&mut numbers, 0.05, 0.05);
         let samples = motion.samples::<H2B4A2>();
         let narrow = |v: Vector<f64>| v.map(|c| c as f32);

@@ -3,13 +3,13 @@
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::strapdown::alike::{Weights, lacking, weights_f32, weights_f64};
-use schuler::strapdown::earth_fixed::EarthFixed;
+use schuler::strapdown::block::alike::{Weights, lacking, weights_f32, weights_f64};
+use schuler::strapdown::block::window::{H2B4A2, H4B4A4, Window};
 use schuler::strapdown::frame::Frame;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::textbook::{LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::{H2B4A2, H4B4A4, Window};
+use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 use schuler::trajectory::harmonic::Harmonic;
 use schuler_host::scene::Channel;
 use schuler_tests::{Course, at_rest};

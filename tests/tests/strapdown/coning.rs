@@ -3,11 +3,11 @@
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::strapdown::body::{Sum, integrate};
-use schuler::strapdown::fit::Fit;
-use schuler::strapdown::series::Series;
-use schuler::strapdown::textbook::body::Compensated;
-use schuler::strapdown::window::{H0B4A0, H2B2A2, H2B4A2, H4B4A4, Window};
+use schuler::strapdown::block::body::{Sum, integrate};
+use schuler::strapdown::block::fit::Fit;
+use schuler::strapdown::block::series::Series;
+use schuler::strapdown::block::window::{H0B4A0, H2B2A2, H2B4A2, H4B4A4, Window};
+use schuler::strapdown::reference::textbook::body::Compensated;
 use std::f64::consts::TAU;
 
 /// Half-cone angle, rad.

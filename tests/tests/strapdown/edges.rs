@@ -2,15 +2,15 @@
 
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::Output as _;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::solution::Output as _;
+use schuler::strapdown::block::newton::at_edge;
+use schuler::strapdown::block::support::Differences;
+use schuler::strapdown::block::window::*;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::{State, Strapdown};
-use schuler::strapdown::newton::at_edge;
-use schuler::strapdown::support::Differences;
-use schuler::strapdown::textbook::{LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::*;
+use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 use schuler::trajectory::harmonic::Harmonic;
 use schuler_host::scene::Channel;
 use schuler_host::source::Source;

@@ -2,9 +2,9 @@
 
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::strapdown::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
-use schuler::strapdown::least_squares::least_squares;
-use schuler::strapdown::window::NAMED;
+use schuler::strapdown::block::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
+use schuler::strapdown::block::least_squares::least_squares;
+use schuler::strapdown::block::window::NAMED;
 use std::ops::{Mul, Sub};
 
 /// A ratio in lowest terms, over a positive denominator.

@@ -2,7 +2,7 @@
 
 use schuler::earth::{Geodetic, ROTATION_RATE, gravity};
 use schuler::math::vector::Vector;
-use schuler::strapdown::gravitation::Latitude;
+use schuler::strapdown::frame::gravitation::Latitude;
 use schuler_tests::{Numbers, largest};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -3,7 +3,7 @@
 /// Calls a generic function once for every named window, the last of its type arguments.
 macro_rules! every_window {
     ($f:ident $(, $first:ty)?) => {{
-        use schuler::strapdown::window::*;
+        use schuler::strapdown::block::window::*;
         schuler::every_window!(every_window! @ $f [$($first)?]);
     }};
     (@ $f:ident [] $($w:ident),+) => { $($f::<$w>();)+ };

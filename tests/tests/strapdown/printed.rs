@@ -5,7 +5,7 @@ use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::solution::{Euler, Solution};
-use schuler::strapdown::mechanization::Rejected;
+use schuler::strapdown::limits::Rejected;
 use schuler_host::navigator;
 use schuler_host::recording::navigation::{COLUMNS, NavigationRow};
 use schuler_host::scene::{Algorithm, Frame, Navigator, Precision};

@@ -4,14 +4,14 @@ use schuler::digest::Digest;
 use schuler::math::compensated::{Pair, Plain, TwoFloat};
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::strapdown::block_time::BlockTime;
-use schuler::strapdown::earth_fixed::EarthFixed;
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, Parabola20, Window};
 use schuler::strapdown::frame::Frame;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::frame::block_time::BlockTime;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::{H0B4A0, H2B4A2, Parabola20, Window};
+use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 use schuler_tests::{Course, bits};
 
 /// A state that carries the given words.

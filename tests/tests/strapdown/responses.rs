@@ -1,7 +1,7 @@
 //! The table of what windows make of a cone and of noise, worked out from the windows' definition.
 
-use schuler::strapdown::gain::gain_squared;
-use schuler::strapdown::window::*;
+use schuler::strapdown::block::gain::gain_squared;
+use schuler::strapdown::block::window::*;
 use std::f64::consts::TAU;
 
 /// The least-squares fit, K rows of weights of the samples in Legendre's polynomials over the window.
@@ -175,7 +175,7 @@ fn is_printed(x: f64, cell: &str) -> bool {
 
 #[test]
 fn the_table_of_windows_says_what_they_do() {
-    let text = include_str!("../../../core/src/strapdown/WINDOWS.md");
+    let text = include_str!("../../../core/src/strapdown/block/WINDOWS.md");
     let rows: Vec<Vec<&str>> = text
         .lines()
         .filter(|line| line.starts_with("| `"))

@@ -5,15 +5,15 @@ use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::sensor::carried::Carried;
+use schuler::solution::Output as _;
 use schuler::solution::Solution;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::Output as _;
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola40};
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::plausible::Damaged;
-use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola40};
+use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 use schuler_tests::{Course, Numbers, bits};
 
 /// A course in the digits of a mechanization.

@@ -2,13 +2,14 @@
 
 use schuler::math::compensated::Pair;
 use schuler::record::Record;
-use schuler::strapdown::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::{Frame, Output as _};
-use schuler::strapdown::local_level::LocalLevel;
+use schuler::solution::Output as _;
+use schuler::strapdown::block::window::Window;
+use schuler::strapdown::frame::Frame;
+use schuler::strapdown::frame::earth_fixed::EarthFixed;
+use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::{State, Strapdown};
-use schuler::strapdown::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
-use schuler::strapdown::window::Window;
+use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 use schuler_tests::{Course, bits, largest, reader};
 
 type Local = LocalLevel<Pair<f64>>;

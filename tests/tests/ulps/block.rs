@@ -10,7 +10,7 @@ use schuler::math::quaternion::Quaternion;
 use schuler::math::real::Scalar;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::strapdown::window::{H0B4A0, H2B4A2, H4B4A4, Window};
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A4, Window};
 use schuler_tests::Numbers;
 
 const TRIES: u32 = 20;

@@ -5,8 +5,8 @@ use crate::{Precision, Worst, ulp};
 use schuler::earth::{self, Geodetic, Radii};
 use schuler::math::real::Scalar;
 use schuler::math::vector::Vector;
-use schuler::strapdown::gravitation::Latitude;
-use schuler::strapdown::meridian::{Meridian, curvature};
+use schuler::strapdown::frame::gravitation::Latitude;
+use schuler::strapdown::frame::meridian::{Meridian, curvature};
 use schuler_tests::Numbers;
 
 const TRIES: u32 = 500;

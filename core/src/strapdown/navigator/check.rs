@@ -1,10 +1,10 @@
 //! Whether a navigator's state that came back from bytes can be right.
 
-use super::super::frame::Frame;
-use super::super::plausible::{Damaged, MOST_COUNTED};
-use super::super::window::Window;
 use super::{State, Strapdown};
 use crate::math::real::Real;
+use crate::strapdown::block::window::Window;
+use crate::strapdown::frame::Frame;
+use crate::strapdown::plausible::{Damaged, MOST_COUNTED};
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// Whether a state can be one that this navigator left: its samples in the room for them and within the

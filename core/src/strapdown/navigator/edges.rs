@@ -3,17 +3,18 @@
 //! Their windows are rare: the fit is made at run time, through as many samples as they themselves
 //! support, and the series is the longest for all.
 
-use super::super::block_time::BlockTime;
-use super::super::body::{self, BodyMotion, Sum};
-use super::super::fit::{Fit, MOST_SAMPLES};
-use super::super::frame::Frame;
-use super::super::newton::{self, Used};
-use super::super::rows::Read;
-use super::super::series::Series;
-use super::super::window::{LINE_LAST_SAMPLES, Shape, Window};
+use super::rows::Read;
 use super::{State, Strapdown};
 use crate::math::real::Real;
 use crate::sample::Increment;
+use crate::strapdown::block::body::{self, BodyMotion, Sum};
+use crate::strapdown::block::fit::{Fit, MOST_SAMPLES};
+use crate::strapdown::block::fit::{LINE_LAST_SAMPLES, Shape};
+use crate::strapdown::block::newton::{self, Used};
+use crate::strapdown::block::series::Series;
+use crate::strapdown::block::window::Window;
+use crate::strapdown::frame::Frame;
+use crate::strapdown::frame::block_time::BlockTime;
 
 /// Terms of the series of first and last blocks, whatever their window.
 const EDGE_TERMS: usize = 26;
@@ -32,30 +33,12 @@ fn integrate<R: Real>(
 
 /// Steps over a block at an edge: one code for all windows and readers of a frame.
 #[inline(never)]
-pub(super) fn step<F: Frame>(
+pub(crate) fn step<F: Frame>(
     frame: &mut F,
     time: &BlockTime<F::Real>,
     body: &BodyMotion<F::Real>,
 ) -> F::Step {
     frame.step(time, body)
-}
-
-/// Samples that gyros and accelerometers were fitted through, each as many as they support: zeros
-/// before there was such a block.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Edges<R> {
-    /// In the first block, where its window wants history.
-    pub first: Used<R>,
-    /// In the latest block at the end of a stream, or with a window that looks back alone.
-    pub last: Used<R>,
-}
-
-impl<R: Real> Edges<R> {
-    /// Before any.
-    pub(super) fn none() -> Self {
-        Self { first: Used::both(0), last: Used::both(0) }
-    }
 }
 
 /// The fit of a block at an edge and its sum: one code for all frames, windows and readers.
@@ -72,7 +55,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// A block of `block` samples within the window of at most `all` samples that starts `history`
     /// before it.
     #[inline(never)]
-    pub(super) fn edge_block(
+    pub(crate) fn edge_block(
         &self,
         state: &mut State<F, W>,
         history: usize,
@@ -105,7 +88,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// The last blocks: the look-ahead that is missing goes to the history.
     #[inline(never)]
-    pub(super) fn last_blocks(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
+    pub(crate) fn last_blocks(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
         while state.pending > 0 {
             let block = state.pending.min(W::BLOCK).min(LAST_BLOCK);
             let most = if W::COEFFICIENTS < W::SAMPLES {

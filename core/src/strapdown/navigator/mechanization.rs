@@ -1,14 +1,16 @@
 //! The navigator as one mechanization among others.
 
-use super::super::body::BodyMotion;
-use super::super::frame::Frame;
-use super::super::gate::admit_held;
-use super::super::mechanization::{Mechanization, Rejected, StartError};
-use super::super::plausible::Damaged;
-use super::super::window::Window;
-use super::{Edges, State, Strapdown};
 use crate::sample::Increment;
 use crate::solution::Solution;
+use crate::strapdown::block::body::BodyMotion;
+use crate::strapdown::block::newton::Edges;
+use crate::strapdown::block::window::Window;
+use crate::strapdown::frame::Frame;
+use crate::strapdown::gate::admit_held;
+use crate::strapdown::limits::{Rejected, StartError};
+use crate::strapdown::mechanization::Mechanization;
+use crate::strapdown::navigator::{State, Strapdown};
+use crate::strapdown::plausible::Damaged;
 
 impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
     type Real = F::Real;

@@ -1,19 +1,21 @@
 //! Blocks of samples that differ in length: rare, hence out of line, and linked only where asked for.
 
-use super::super::abscissae::Spaced;
-use super::super::block_time::BlockTime;
-use super::super::body::{self, BodyMotion, Sum};
-use super::super::fit::{Fit, MOST_SAMPLES};
-use super::super::frame::Frame;
-use super::super::mechanization::Rejected;
-use super::super::rows::{Blocks, Every, Read, Unread};
-use super::super::series::Series;
-use super::super::unequal::{Intervals as _, Unequal, UnequalIntervals};
-use super::super::window::Window;
+use super::rows::{Blocks, Every, Read, Unread};
 use super::{State, Strapdown};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
+use crate::strapdown::block::abscissae::Spaced;
+use crate::strapdown::block::body::{self, BodyMotion, Sum};
+use crate::strapdown::block::fit::{Fit, MOST_SAMPLES};
+use crate::strapdown::block::intervals::Intervals as _;
+use crate::strapdown::block::series::Series;
+use crate::strapdown::block::unequal::Unequal;
+use crate::strapdown::block::window::Window;
+use crate::strapdown::frame::Frame;
+use crate::strapdown::frame::block_time::BlockTime;
+use crate::strapdown::limits::Rejected;
+use crate::strapdown::mechanization::UnequalIntervals;
 
 /// Terms of the series where the plan's order need not do.
 const MOST_TERMS: usize = 16;
@@ -50,7 +52,7 @@ fn sum<R: Real>(samples: &[Increment<R>], two_float: bool) -> Sum<R> {
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// Whether the `all` samples from the `history`-th before the block on last the nominal interval.
     #[inline(always)]
-    pub(super) fn is_nominal(&self, state: &State<F, W>, history: usize, all: usize) -> bool {
+    pub(crate) fn is_nominal(&self, state: &State<F, W>, history: usize, all: usize) -> bool {
         if !W::UNEQUAL {
             return true;
         }
@@ -61,7 +63,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// A block of samples that may differ in length: one code for `push` and `push_over`.
     #[inline(never)]
-    pub(super) fn any_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
+    pub(crate) fn any_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
         if self.is_nominal(state, W::HISTORY, W::SAMPLES) {
             self.whole_block(state, read);
         } else {
@@ -72,7 +74,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// Where the samples begin that a whole window up to `end` looks at: with those before it that help,
     /// where they are there and of the same interval.
     #[inline(always)]
-    pub(super) fn begin(&self, state: &State<F, W>, end: usize) -> usize {
+    pub(crate) fn begin(&self, state: &State<F, W>, end: usize) -> usize {
         let begin = end - W::SAMPLES;
         let beside = W::BESIDE.min(begin);
         let alike = self.is_nominal(state, W::HISTORY + beside, beside);
@@ -82,7 +84,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// A block of `block` samples with `history` before it and `lookahead` after it; `edge` at the first
     /// and the last ones.
     #[inline(never)]
-    pub(super) fn unequal_block(
+    pub(crate) fn unequal_block(
         &self,
         state: &mut State<F, W>,
         (history, block, lookahead): (usize, usize, usize),
@@ -119,7 +121,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// Brings the gravity history to a block of this duration, or sets it up anew.
     #[inline(never)]
-    pub(super) fn adapt_history(
+    pub(crate) fn adapt_history(
         &self,
         state: &mut State<F, W>,
         time: &BlockTime<R>,

@@ -10,8 +10,8 @@ use schuler_firmware::board::entry;
 #[cfg(feature = "microbit")]
 type Fleet = schuler::link::flight::Flight<
     schuler::strapdown::navigator::Strapdown<
-        schuler::strapdown::local_level::LocalLevel<schuler::math::compensated::Pair<f32>>,
-        schuler::strapdown::window::H0B4A0,
+        schuler::strapdown::frame::local_level::LocalLevel<schuler::math::compensated::Pair<f32>>,
+        schuler::strapdown::block::window::H0B4A0,
     >,
 >;
 #[cfg(not(feature = "microbit"))]

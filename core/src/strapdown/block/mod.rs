@@ -1,0 +1,28 @@
+//! The body's motion over a block of samples: fitted, integrated by a series, whatever the frame.
+//!
+//! | file | what it has |
+//! |---|---|
+//! | [`window`] | the named windows: which samples a block is integrated from |
+//! | [`fit`] | the polynomial through a window's samples |
+//! | [`least_squares`] | a line or a parabola through more samples than coefficients |
+//! | [`series`] | the power series of attitude, velocity and position over a block |
+//! | [`body`] | the block's motion: rotation, ∫u, ∫s, ∫∫s |
+//! | [`inside`] | the same up to a row within the block |
+//! | [`alike`] | what a block lacks so that all of its samples count alike |
+//! | [`unequal`], [`intervals`], `abscissae` | samples of unequal intervals |
+//! | [`newton`], [`behind`], [`support`], [`gain`] | blocks at the ends of a stream: as many samples as they support |
+
+pub(crate) mod abscissae;
+pub mod alike;
+pub mod behind;
+pub mod body;
+pub mod fit;
+pub mod gain;
+pub mod inside;
+pub mod intervals;
+pub mod least_squares;
+pub mod newton;
+pub mod series;
+pub mod support;
+pub mod unequal;
+pub mod window;

@@ -1,0 +1,137 @@
+//! How long a window the samples support: measured on the samples themselves.
+//!
+//! The k-th differences ∇ᵏx of white noise of variance σ² have the variance C(2k, k)σ², and the polynomial
+//! through k samples is off by what their k-th difference is: so a window of k samples errs by about
+//! gain · rms(∇ᵏx)/√C(2k, k). That falls with k where the motion is resolved, and stays where it is not, or
+//! is noise, while the gain of a one-sided window grows. The window of the least estimate is the one to
+//! take. The estimate knows nothing of the motion and is made of + − × ÷ alone: it is the same everywhere.
+
+use super::fit::MOST_SAMPLES;
+use super::gain::gain_squared;
+use crate::math::real::Real;
+use crate::sample::Increment;
+use crate::strapdown::block::fit::Shape;
+
+/// Differences of order 0 to 14 of a stream of samples, and their powers: of gyros and accelerometers
+/// each over its three axes.
+///
+/// ```
+/// # use schuler::{math::vector::Vector, sample::Increment, strapdown::support::Differences};
+/// let mut differences = Differences::<f64>::new();
+/// for k in 0..100 {
+///     // A cone of 2.5 samples per cycle.
+///     let phase = core::f64::consts::TAU * k as f64 / 2.5;
+///     let angle_b = Vector::new(phase.cos(), phase.sin(), 0.0);
+///     differences.add(&Increment { angle_b, velocity_b: Vector::ZERO });
+/// }
+/// let error = |shape| f64::sqrt(differences.error_squared(shape).unwrap()[0]);
+/// assert!(error((0, 4, 10)) > 10.0 * error((0, 4, 0)));
+/// assert!(error((2, 4, 2)) < error((0, 4, 0)));
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Differences<R> {
+    /// ∇ᵏ at the newest sample.
+    newest: [Increment<R>; MOST_SAMPLES + 1],
+    /// Σ(∇ᵏ)² axis by axis.
+    sums: [Increment<R>; MOST_SAMPLES + 1],
+    count: u32,
+}
+
+impl<R: Real> Default for Differences<R> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<R: Real> Differences<R> {
+    /// Of no samples.
+    pub fn new() -> Self {
+        Self {
+            newest: [Increment::ZERO; MOST_SAMPLES + 1],
+            sums: [Increment::ZERO; MOST_SAMPLES + 1],
+            count: 0,
+        }
+    }
+
+    /// Takes the next sample.
+    pub fn add(&mut self, sample: &Increment<R>) {
+        let mut difference = *sample;
+        for (order, (newest, sum)) in (0..).zip(self.newest.iter_mut().zip(&mut self.sums)) {
+            // ∇ᵏ⁺¹ = ∇ᵏ − the sample's before
+            let next = Increment {
+                angle_b: difference.angle_b - newest.angle_b,
+                velocity_b: difference.velocity_b - newest.velocity_b,
+            };
+            *newest = difference;
+            sum.angle_b = sum.angle_b + difference.angle_b.map(|x| x * x);
+            sum.velocity_b = sum.velocity_b + difference.velocity_b.map(|x| x * x);
+            if order == self.count {
+                break;
+            }
+            difference = next;
+        }
+        self.count = self.count.saturating_add(1);
+    }
+
+    /// Samples taken.
+    pub fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// ∇ᵏ at the newest sample, at index k; 0 where it wants more samples.
+    pub(crate) fn newest(&self) -> &[Increment<R>; MOST_SAMPLES + 1] {
+        &self.newest
+    }
+
+    /// Mean of |∇ᵏx|² over C(2k, k), of gyros (rad²) and of accelerometers (m²/s²); `None` if there are
+    /// no more than k samples or k exceeds [`MOST_SAMPLES`].
+    pub fn power(&self, k: usize) -> Option<[R; 2]> {
+        let Increment { angle_b, velocity_b } = self.power_by_axis(k)?;
+        Some([angle_b, velocity_b].map(|v| v.x + v.y + v.z))
+    }
+
+    /// The same of each axis.
+    pub(crate) fn power_by_axis(&self, k: usize) -> Option<Increment<R>> {
+        let there = self.count.checked_sub(u32::try_from(k).ok()?).filter(|&there| there > 0)?;
+        let sum = self.sums.get(k)?;
+        let &of_one = OF_NOISE.get(k)?;
+        let of_noise = R::count(there) * R::entry(of_one, f64::from(of_one));
+        Some(Increment {
+            angle_b: sum.angle_b.map(|sum| sum / of_noise),
+            velocity_b: sum.velocity_b.map(|sum| sum / of_noise),
+        })
+    }
+
+    /// Estimated mean square of the error of the rate that a window fits, per sample: of gyros (rad²) and
+    /// of accelerometers (m²/s²), three axes together; `None` if the samples are no more than the
+    /// window's, or the window is none of at most [`MOST_SAMPLES`].
+    pub fn error_squared(&self, (history, block, lookahead): Shape) -> Option<[R; 2]> {
+        let power = self.power(history + block + lookahead)?;
+        let gain = R::of(gain_squared((history, block, lookahead)));
+        (block > 0).then(|| power.map(|power| power * gain))
+    }
+}
+
+/// C(2k, k), up to k = 14: all of them exact in single precision.
+const OF_NOISE: [f32; MOST_SAMPLES + 1] = {
+    let mut binomials = [0.0; MOST_SAMPLES + 1];
+    let mut k = 0;
+    while k <= MOST_SAMPLES {
+        binomials[k] = central_binomial(k) as f32;
+        assert!(binomials[k] as f64 == central_binomial(k));
+        k += 1;
+    }
+    binomials
+};
+
+/// C(2k, k), up to k = 14.
+pub(crate) const fn central_binomial(k: usize) -> f64 {
+    // C(2k, k) = Π (4i − 2)/i, and every part of it is whole.
+    let (mut product, mut i) = (1, 1);
+    while i <= k && i <= MOST_SAMPLES {
+        product = product * (4 * i as u64 - 2) / i as u64;
+        i += 1;
+    }
+    product as f64
+}

@@ -1,0 +1,311 @@
+//! The navigator: samples go in one by one, states come out block by block.
+//!
+//! Look-ahead delays a row, it never changes it. The first block of a window that wants history looks
+//! ahead instead; the last ones look back; so a stream of any length ends with a row for every sample.
+
+//!
+//! | file | what it has |
+//! |---|---|
+//! | `edges` | the first and the last blocks of a stream |
+//! | `unequal` | blocks of samples of unequal intervals |
+//! | `rows` | who reads the rows within a block |
+//! | `mechanization` | the navigator as a mechanization |
+//! | `check`, `stored` | a state as bytes, and whether it can be one |
+
+mod check;
+mod edges;
+mod mechanization;
+mod rows;
+mod stored;
+mod unequal;
+
+use crate::math::compensated::Pair;
+use crate::math::real::Real;
+use crate::sample::Increment;
+use crate::solution::Solution;
+use crate::strapdown::block::body::BodyMotion;
+use crate::strapdown::block::inside::{BlockSeries, Mirror};
+use crate::strapdown::block::intervals::Intervals as _;
+use crate::strapdown::block::newton::Edges;
+use crate::strapdown::block::window::Window;
+use crate::strapdown::frame::Frame;
+use crate::strapdown::frame::block_time::BlockTime;
+use crate::strapdown::gate::{Gate, admit_start};
+use crate::strapdown::limits::Limits;
+use crate::strapdown::limits::{Rejected, StartError};
+use crate::strapdown::navigator::rows::{Blocks, Every, Read, Unread};
+use core::marker::PhantomData;
+
+/// Configuration of a strapdown navigator in frame `F` with window `W`.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Strapdown<F: Frame, W> {
+    interval: Pair<F::Real>,
+    block: BlockTime<F::Real>,
+    gate: Gate<F::Real>,
+    order: usize,
+    window: PhantomData<W>,
+}
+
+/// State of a strapdown navigator: `Copy`, to store, compare or try out a future.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct State<F: Frame, W: Window> {
+    pub(crate) frame: F,
+    /// The latest samples, of which the last `pending` are not integrated yet.
+    pub(crate) samples: W::Samples<Increment<F::Real>>,
+    pub(crate) filled: usize,
+    pub(crate) pending: usize,
+    /// Samples integrated since the start.
+    pub(crate) integrated: u64,
+    /// Samples of the block that the gravity history belongs to; 0 before the first.
+    pub(crate) seeded: usize,
+    pub(crate) intervals: W::Intervals<F::Real>,
+    /// What the blocks at the edges were fitted through.
+    pub(crate) edges: Edges<F::Real>,
+}
+
+impl<F: Frame, W: Window> State<F, W> {
+    /// Navigation at the end of the last block.
+    pub fn output(&self) -> F::Output {
+        self.frame.output()
+    }
+
+    /// Samples integrated since the start: the index of the sample that `output` belongs to.
+    pub fn integrated(&self) -> u64 {
+        self.integrated
+    }
+
+    /// Samples that the blocks at the edges were fitted through.
+    pub fn edges(&self) -> Edges<F::Real> {
+        self.edges
+    }
+}
+
+impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
+    /// With a sampling interval in seconds and the default limits.
+    pub fn new(interval_s: Pair<R>) -> Result<Self, StartError> {
+        Self::with_limits(interval_s, Limits::default())
+    }
+
+    /// With a sampling interval in seconds and limits.
+    pub fn with_limits(interval_s: Pair<R>, limits: Limits<R>) -> Result<Self, StartError> {
+        Ok(Self {
+            interval: interval_s,
+            block: BlockTime::new(interval_s, W::BLOCK),
+            gate: Gate::new(interval_s.hi + interval_s.lo, limits, W::BLOCK)?,
+            order: W::TERMS,
+            window: PhantomData,
+        })
+    }
+
+    /// With a series of the order that [`plan::order`](crate::strapdown::plan::order) finds enough, at most the
+    /// window's own.
+    pub fn with_order(self, order: usize) -> Self {
+        Self { order: order.clamp(1, W::TERMS), ..self }
+    }
+
+    /// Starts from an initial solution, whose attitude is brought to unit length.
+    pub fn start(&self, initial: &Solution<R>) -> Result<State<F, W>, StartError> {
+        let initial = admit_start(initial)?;
+        let frame = F::start(&initial);
+        frame.check_place()?;
+        Ok(State {
+            frame,
+            samples: W::samples(Increment::ZERO),
+            filled: 0,
+            pending: 0,
+            integrated: 0,
+            seeded: 0,
+            intervals: W::Intervals::nominal(),
+            edges: Edges::none(),
+        })
+    }
+
+    /// Takes a sample; the state moves on whenever a block is complete.
+    #[inline(always)]
+    pub fn push(&self, state: &mut State<F, W>, sample: Increment<R>) -> Result<(), Rejected> {
+        self.gate.admit(&sample)?;
+        self.take(state, sample, R::ZERO, &mut Unread)
+    }
+
+    /// Takes a sample and reads every row that it completes: the number of samples up to the row, and
+    /// the navigation there.
+    #[inline(always)]
+    pub fn push_rows(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+        read: impl FnMut(u64, F::Output),
+    ) -> Result<(), Rejected> {
+        self.gate.admit(&sample)?;
+        self.take(state, sample, R::ZERO, &mut Every(read))
+    }
+
+    /// Takes a sample and shows every block that it completes, step by step: the number of samples at
+    /// the block's end, the body's motion over it, and the frame after it.
+    pub fn push_blocks(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+        see: impl FnMut(u64, &BodyMotion<R>, &F),
+    ) -> Result<(), Rejected> {
+        self.gate.admit(&sample)?;
+        self.take(state, sample, R::ZERO, &mut Blocks(see))
+    }
+
+    /// Integrates what is pending: the stream is at its end. More samples may follow all the same.
+    pub fn finish(&self, state: &mut State<F, W>) {
+        self.last_blocks(state, &mut Unread);
+    }
+
+    /// The same, reading every row.
+    pub fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
+        self.last_blocks(state, &mut Every(read));
+    }
+
+    /// The same, showing every block.
+    pub fn finish_blocks(&self, state: &mut State<F, W>, see: impl FnMut(u64, &BodyMotion<R>, &F)) {
+        self.last_blocks(state, &mut Blocks(see));
+    }
+
+    /// Navigation at the newest sample, without the look-ahead that its rows wait for.
+    pub fn predict(&self, state: &State<F, W>) -> F::Output {
+        let mut ahead = *state;
+        self.finish(&mut ahead);
+        ahead.output()
+    }
+
+    #[inline(always)]
+    fn take(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+        excess: R,
+        read: &mut impl Read<F>,
+    ) -> Result<(), Rejected> {
+        // The first sample after a block is refused where the block led astray, and then every other.
+        if state.pending <= W::LOOKAHEAD {
+            state.frame.check_place()?;
+        }
+        self.store(state, sample, excess);
+        let past = state.filled - state.pending;
+        if past < W::HISTORY {
+            if state.filled < W::FIRST {
+                return Ok(());
+            }
+            self.edge_block(state, past, W::BLOCK, W::FIRST, read);
+        }
+        while state.pending >= W::BLOCK + W::LOOKAHEAD {
+            if W::UNEQUAL {
+                self.any_block(state, read);
+            } else {
+                self.whole_block(state, read);
+            }
+        }
+        Ok(())
+    }
+
+    /// Stores a sample, dropping the oldest ones a block at a time.
+    #[inline(always)]
+    fn store(&self, state: &mut State<F, W>, sample: Increment<R>, excess: R) {
+        let samples = state.samples.as_mut();
+        let kept = state.intervals.excess_mut();
+        if state.filled >= samples.len() {
+            // After an early `finish`, more than a block's length may still be pending.
+            let drop = W::BLOCK.min(state.filled - state.pending);
+            for from in drop..samples.len() {
+                samples[from - drop] = samples[from];
+            }
+            if drop <= kept.len() {
+                kept.copy_within(drop.., 0);
+            }
+            state.filled = samples.len() - drop;
+        }
+        if let Some(slot) = samples.get_mut(state.filled) {
+            *slot = sample;
+            if let Some(slot) = kept.get_mut(state.filled) {
+                *slot = excess;
+            }
+            state.filled += 1;
+            state.pending += 1;
+        }
+    }
+
+    #[inline(always)]
+    fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
+        let end = state.filled - state.pending + W::BLOCK + W::LOOKAHEAD;
+        let seen = state.samples.as_ref().get(..end).unwrap_or(&[]);
+        let begin = self.begin(state, end);
+        if W::LOOKAHEAD == 0 && W::HISTORY > 0 {
+            if let Some((body, series, used)) =
+                W::integrate_behind::<R>(seen, self.block.half, self.order, F::TWO_FLOAT)
+            {
+                state.edges.last = used;
+                self.step::<false, _>(state, (&self.block, &[]), W::BLOCK, &body, &series, read);
+            } else {
+                self.edge_block(state, W::HISTORY, W::BLOCK, W::SAMPLES, read);
+            }
+        } else if let Some((body, series)) = W::integrate::<R>(
+            seen.get(begin..).unwrap_or(&[]),
+            self.block.half,
+            self.order,
+            F::TWO_FLOAT,
+        ) {
+            self.step::<false, _>(state, (&self.block, &[]), W::BLOCK, &body, &series, read);
+        }
+    }
+
+    /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads. `excess`
+    /// is what its samples' intervals exceed the nominal one by, if any does.
+    #[inline(always)]
+    fn step<const EDGE: bool, Q: Read<F>>(
+        &self,
+        state: &mut State<F, W>,
+        (time, excess): (&BlockTime<R>, &[R]),
+        block: usize,
+        body: &BodyMotion<R>,
+        series: &impl BlockSeries<R>,
+        read: &mut Q,
+    ) {
+        let uneven = !excess.is_empty();
+        if W::UNEQUAL && (uneven || R::any(R::ZERO.less(state.intervals.history_s()))) {
+            self.adapt_history(state, time, body);
+            state.intervals.set_history(if uneven { time.time.hi } else { R::ZERO });
+            state.seeded = block;
+        } else if state.seeded != block {
+            state.frame.seed(time, body);
+            state.seeded = block;
+        }
+        let before = state.frame;
+        let step = if EDGE {
+            edges::step(&mut state.frame, time, body)
+        } else {
+            state.frame.step(time, body)
+        };
+        if Q::EVERY_ROW {
+            let part = R::ONE / R::count(block as u32);
+            let mut mirror = Mirror::new();
+            let mut elapsed = R::ZERO;
+            for row in 1..block {
+                let (inside, fraction) = match excess.get(row - 1) {
+                    None => (
+                        series.until_row(row, block, time.half, &mut mirror),
+                        R::count(row as u32) * part,
+                    ),
+                    Some(&excess) => {
+                        elapsed = elapsed + (self.interval.hi + excess);
+                        let fraction = elapsed / time.time.hi;
+                        (series.until(fraction + fraction - R::ONE, time.half), fraction)
+                    }
+                };
+                let output = before.within(&step, time, &inside, fraction);
+                read.row(state.integrated + row as u64, output);
+            }
+            read.row(state.integrated + block as u64, state.frame.output());
+        }
+        state.integrated += block as u64;
+        state.pending -= block;
+        read.block(state.integrated, body, &state.frame);
+    }
+}

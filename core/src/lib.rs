@@ -5,10 +5,16 @@
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
 compile_error!("x87 rounds to other bits: build for a processor with SSE2");
 
+// Its tables of windows are macros, which the flight reads.
+#[macro_use]
+pub mod strapdown;
+
 pub mod alignment;
 pub mod digest;
 pub mod drift;
 pub mod earth;
+#[macro_use]
+pub mod flight;
 #[cfg(feature = "trajectory")]
 pub mod imu;
 #[cfg(feature = "link")]
@@ -21,6 +27,5 @@ pub mod sample;
 #[cfg(feature = "sensor")]
 pub mod sensor;
 pub mod solution;
-pub mod strapdown;
 #[cfg(feature = "trajectory")]
 pub mod trajectory;

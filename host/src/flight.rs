@@ -191,6 +191,7 @@ pub struct LinkReport {
     /// How often a request was sent until it was answered, at most.
     pub worst_round_trips: u32,
     /// The window that was planned, where the target does not have it.
+    #[serde(with = "crate::scene::window")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub planned_window: Option<WindowShape>,
 }

@@ -3,29 +3,28 @@
 mod available;
 mod flying;
 
-pub use available::{Unavailable, check, terms};
+pub use available::{Unavailable, check, terms, unknown, windows};
 pub use flying::{finish, push};
 
 use flying::Flying;
 
 use crate::flight::Edges;
 use crate::lanes::abreast::Refused;
-use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
-use schuler::math::compensated::{Pair, TwoFloat};
+use crate::scene::{Navigator, WindowShape};
+
+use schuler::flight::catalogue::{Catalogue, Entry, Every, Visitor};
+use schuler::flight::configuration::{Algorithm, Configuration};
+use schuler::math::compensated::Pair;
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::block::unequal::Unequal;
 use schuler::strapdown::block::window::*;
-use schuler::strapdown::frame::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::local_level::LocalLevel;
+use schuler::strapdown::frame::Frame;
 use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::plan::Shape;
-use schuler::strapdown::reference::textbook::{
-    EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
-};
+use schuler::strapdown::reference::textbook::{Textbook, TextbookFrame};
 
 /// Who reads rows: how many samples lie behind the row, and the navigation there.
 pub type Reader<'a> = dyn FnMut(u64, &Solution<f64>) + 'a;
@@ -64,6 +63,18 @@ pub trait Navigate: Send {
     ) -> Box<dyn FnMut() + '_>;
 }
 
+impl Navigator {
+    /// As the catalogue has it, with a window for the taylor algorithm.
+    pub fn configuration(&self, window: WindowShape) -> Configuration {
+        let &Self { precision, frame: axes, algorithm, .. } = self;
+        let window = match algorithm {
+            Algorithm::Taylor => window,
+            Algorithm::Textbook => Configuration::ONE_SAMPLE,
+        };
+        Configuration { precision, axes, algorithm, window }
+    }
+}
+
 /// Starts the navigator that is asked for, with the window and the order of series that are given.
 pub fn start(
     navigator: &Navigator,
@@ -72,80 +83,53 @@ pub fn start(
     interval_s: Pair<f64>,
     initial: &Solution<f64>,
 ) -> Result<Box<dyn Navigate>, Unavailable> {
-    let single = Pair::narrow(interval_s);
-    let boxed = match (navigator.algorithm, navigator.precision, navigator.frame) {
-        (Algorithm::Textbook, Precision::F64, Frame::LocalLevel) => {
-            textbook::<LocalLevelTextbook<f64>>(interval_s.hi, initial)?
-        }
-        (Algorithm::Textbook, Precision::F64, Frame::EarthFixed) => {
-            textbook::<EarthFixedTextbook<f64>>(interval_s.hi, initial)?
-        }
-        (Algorithm::Textbook, Precision::F32, Frame::LocalLevel) => {
-            textbook::<LocalLevelTextbook<f32>>(single.hi, initial)?
-        }
-        (Algorithm::Textbook, Precision::F32, Frame::EarthFixed) => {
-            textbook::<EarthFixedTextbook<f32>>(single.hi, initial)?
-        }
-        (Algorithm::Taylor, Precision::F64, Frame::LocalLevel) => {
-            taylor::<LocalLevel<Pair<f64>>>(shape, order, interval_s, initial)?
-        }
-        (Algorithm::Taylor, Precision::F64, Frame::EarthFixed) => {
-            taylor::<EarthFixed<Pair<f64>>>(shape, order, interval_s, initial)?
-        }
-        (Algorithm::Taylor, Precision::F32, Frame::LocalLevel) => {
-            taylor::<LocalLevel<Pair<f32>>>(shape, order, single, initial)?
-        }
-        (Algorithm::Taylor, Precision::F32, Frame::EarthFixed) => {
-            taylor::<EarthFixed<Pair<f32>>>(shape, order, single, initial)?
-        }
-        (Algorithm::Taylor, Precision::F32x2, Frame::LocalLevel) => {
-            taylor_two_float::<LocalLevel<TwoFloat<f32>>>(shape, order, single, initial)?
-        }
-        (Algorithm::Taylor, Precision::F32x2, Frame::EarthFixed) => {
-            taylor_two_float::<EarthFixed<TwoFloat<f32>>>(shape, order, single, initial)?
-        }
-        (Algorithm::Textbook, Precision::F32x2, _) => return Err(Unavailable::TwoFloat),
-    };
-    Ok(boxed)
+    let asked = navigator.configuration(shape);
+    let started = Every::visit(&asked, Start { order, interval_s, initial });
+    started.unwrap_or_else(|| Err(unknown(&asked)))
 }
 
-/// A function that starts a taylor navigator in a frame with one of some windows, and their shapes.
-macro_rules! starter {
-    ($(#[$doc:meta])* fn $start:ident, $shapes:ident, $of:literal; $($window:ident),+) => {
-        #[doc = concat!("The windows of [`", stringify!($start), "`].")]
-        pub(crate) const $shapes: &[Shape] = &[$($window::SHAPE),+];
+/// The start of a navigator by its type.
+struct Start<'a> {
+    order: usize,
+    interval_s: Pair<f64>,
+    initial: &'a Solution<f64>,
+}
 
-        $(#[$doc])*
-        pub(crate) fn $start<F>(
+impl Visitor for Start<'_> {
+    type Result = Result<Box<dyn Navigate>, Unavailable>;
+
+    fn visit<M: Entry>(self) -> Self::Result {
+        let interval_s = Pair::narrow(self.interval_s);
+        let mechanization = M::AnyInterval::configured(interval_s, self.order)?;
+        Ok(Flying::boxed(mechanization, interval_s, self.initial)?)
+    }
+}
+
+/// The same in arithmetics that are there to be compared with.
+macro_rules! compared {
+    ($($window:ident),+) => {
+        /// The windows of [`taylor_compared`].
+        pub(crate) const COMPARED: &[WindowShape] = &[$($window::SHAPE),+];
+
+        /// A taylor navigator in a frame whose arithmetic is there to be compared with.
+        pub(crate) fn taylor_compared<F>(
             shape: WindowShape,
             order: usize,
             interval_s: Pair<F::Real>,
             initial: &Solution<f64>,
         ) -> Result<Box<dyn Navigate>, Unavailable>
         where
-            F: schuler::strapdown::frame::Frame<Real: Scalar + Send> + Record + Send + 'static,
+            F: Frame<Real: Scalar + Send> + Record + Send + 'static,
         {
-            $(if shape == $window::SHAPE.into() {
+            $(if shape == $window::SHAPE {
                 let strapdown = Strapdown::<F, Unequal<$window>>::new(interval_s)?.with_order(order);
                 return Ok(Flying::boxed(strapdown, interval_s, initial)?);
             })+
-            Err(Unavailable::Window { shape, of: $of, accepted: $shapes })
+            Err(Unavailable::Window { shape, of: "the comparison", accepted: COMPARED.into() })
         }
     };
 }
-
-schuler::every_window! { starter!
-    /// A taylor navigator with any of the named windows.
-    fn taylor, TAYLOR, "taylor";
-}
-starter! {
-    /// The same in arithmetics that are there to be compared with.
-    fn taylor_compared, COMPARED, "the comparison"; H0B4A0, H2B4A2, Line8
-}
-starter! {
-    /// The same with two-float products.
-    fn taylor_two_float, TWO_FLOAT, "f32x2"; H0B4A0, H4B4A0, H2B4A2, H4B4A4
-}
+schuler::windows_of! { compared compared! }
 
 /// A textbook navigator in a frame.
 pub(crate) fn textbook<F>(

@@ -12,14 +12,15 @@ mod trial;
 
 use crate::flight::{Planned, Skipped};
 use crate::navigator::{self, Navigate};
-use crate::scene::{Algorithm, Frame, Precision, Scene, WindowShape};
+use crate::scene::{Algorithm, Axes, Precision, Scene, WindowShape};
 use crate::source::Source;
 use crate::theory::Theory;
 use crate::timing;
 use candidate::Candidate;
 use passage::Passages;
+use schuler::flight::catalogue::{Catalogue as _, Every};
+use schuler::flight::plan;
 use schuler::math::compensated::Pair;
-use schuler::strapdown::plan::{self, Shape};
 use schuler::trajectory::Trajectory as _;
 use trial::{Flight, Trial};
 
@@ -44,21 +45,8 @@ fn is_cheaper(window: WindowShape, other: WindowShape) -> bool {
     window.history + window.lookahead < other.history + other.lookahead
 }
 
-impl WindowShape {
-    /// As the core has it.
-    pub fn shape(self) -> Shape {
-        (self.history, self.block, self.lookahead)
-    }
-}
-
-impl From<Shape> for WindowShape {
-    fn from((history, block, lookahead): Shape) -> Self {
-        Self { history, block, lookahead }
-    }
-}
-
 /// Twelve samples about a block of four.
-const WIDEST: Shape = (4, 4, 4);
+const WIDEST: WindowShape = WindowShape::new(4, 4, 4);
 
 /// What truncation may cost, in roundings of double precision. In single precision the sums keep some
 /// eight bits more than one of its numbers, two-float products another four.
@@ -77,7 +65,7 @@ fn candidates(scene: &Scene, source: &Source) -> Vec<Candidate> {
     let is_perfect = scene.gyro == Default::default() && scene.accelerometer == Default::default();
     let is_still = source.course.bound().bandwidth == 0.0;
     let is_fit = |candidate: &Candidate| {
-        let (history, block, lookahead) = candidate.shape;
+        let WindowShape { block, .. } = candidate.shape;
         // Long blocks round more at once in single precision, always the same way where nothing changes.
         let long = match precision {
             Precision::F64 => usize::MAX,
@@ -85,8 +73,7 @@ fn candidates(scene: &Scene, source: &Source) -> Vec<Candidate> {
             _ => 12,
         };
         let is_rounded = block > long || block as f64 > scene.rate_hz && block > 4;
-        let is_available = precision != Precision::F32x2
-            || navigator::TWO_FLOAT.contains(&(history, block, lookahead));
+        let is_available = Every::has(&scene.navigator.configuration(candidate.shape));
         // One-sided windows amplify noise.
         let is_quiet = is_perfect || candidate.is_symmetric();
         // A flight shorter than a block would be nothing but its end.
@@ -104,7 +91,7 @@ impl Plan {
     pub fn new(scene: &Scene, source: &Source, force_all: bool) -> Self {
         let navigator = &scene.navigator;
         if navigator.algorithm != Algorithm::Taylor {
-            let (window, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
+            let (window, order) = (plan::UNKNOWN, plan::HIGHEST_ORDER);
             return Self { window, order, trial: None, force_all };
         }
         // A run that skips nothing chooses by the same samples.
@@ -114,12 +101,12 @@ impl Plan {
             motion: &source.course,
             interval_s: 1.0 / scene.rate_hz,
             samples: scene.samples(),
-            earth_fixed: navigator.frame == Frame::EarthFixed,
+            earth_fixed: navigator.frame == Axes::EarthFixed,
         };
         let trial = Trial::new(&flight);
         let passages = Passages::new(scene, source);
         let most_m = trial.rounding_m() * share_of_rounding(navigator.precision);
-        let asked = navigator.window.and_then(|w| Candidate::find(w.shape()));
+        let asked = navigator.window.and_then(Candidate::find);
         let candidates = match asked {
             Some(asked) => vec![asked],
             None => candidates(scene, source),
@@ -127,7 +114,7 @@ impl Plan {
         let (chosen, tried) = trial.choose(&passages, &candidates, most_m);
         let mut window = navigator.window.unwrap_or_else(|| {
             // A motion that no window can be flown with is refused by the navigator itself.
-            chosen.map_or((2, 2, 2), |chosen| chosen.shape).into()
+            chosen.map_or(WindowShape::new(2, 2, 2), |chosen| chosen.shape)
         });
         let mut planned = chosen.map(|chosen| Planned {
             tried,
@@ -147,11 +134,11 @@ impl Plan {
             if let (Some(wide), _) = trial.choose(&passages, &wide, most_m)
                 && wide.predicted_m <= trial.enough_m(most_m)
             {
-                window = wide.shape.into();
+                window = wide.shape;
                 planned = planned.map(|of| Planned { predicted_m: wide.predicted_m, ..of });
             }
         }
-        let order = match Candidate::find(window.shape()) {
+        let order = match Candidate::find(window) {
             Some(candidate) if !force_all => trial.order(&passages, &candidate, most_m),
             _ => plan::HIGHEST_ORDER,
         };
@@ -226,7 +213,7 @@ impl Plan {
             return None;
         }
         let full = Self { order: plan::HIGHEST_ORDER, ..*self };
-        let widest = Self { window: plan::UNKNOWN.into(), ..full };
+        let widest = Self { window: plan::UNKNOWN, ..full };
         if is_cheaper(self.window, widest.window) {
             let WindowShape { history, block, lookahead } = widest.window;
             let what = format!("the window {history},{block},{lookahead} and its full series");

@@ -3,7 +3,7 @@
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use schuler_host::cli::{Cli, Command, EmulateArgs, ReplayArgs, RunArgs};
-use schuler_host::scene::{Algorithm, Frame, Precision, WindowShape};
+use schuler_host::scene::{Algorithm, Axes, Precision, WindowShape};
 use std::path::Path;
 
 fn parse(line: &str) -> Result<Command, clap::Error> {
@@ -72,7 +72,7 @@ fn options_override_the_scene() {
     let scene = arguments.scene().unwrap_or_else(|e| panic!("{e}"));
     assert_eq!((scene.seed, scene.duration_s, scene.rate_hz), (5, 30.0, 50.0));
     let navigator = scene.navigator;
-    assert_eq!(navigator.frame, Frame::EarthFixed);
+    assert_eq!(navigator.frame, Axes::EarthFixed);
     assert_eq!(navigator.precision, Precision::F32);
     assert_eq!(navigator.algorithm, Algorithm::Taylor);
     assert_eq!(navigator.window, Some(WindowShape { history: 2, block: 4, lookahead: 2 }));
@@ -80,9 +80,9 @@ fn options_override_the_scene() {
     assert!(error.to_string().starts_with("--window: textbook has no window"), "{error}");
     assert_eq!(run("run --window auto").scene().expect("valid").navigator.window, None);
     // What is not given stays.
-    assert_eq!(run("polar").scene().expect("valid").navigator.frame, Frame::EarthFixed);
+    assert_eq!(run("polar").scene().expect("valid").navigator.frame, Axes::EarthFixed);
     let frame = run("polar --frame local-level").scene().expect("valid").navigator.frame;
-    assert_eq!(frame, Frame::LocalLevel);
+    assert_eq!(frame, Axes::LocalLevel);
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn emulate_and_replay_take_what_they_need() {
         (Some(540.0), Some(120.0), Some(960.0))
     );
     assert_eq!(arguments.initial.as_deref(), Some(Path::new("i.toml")));
-    assert_eq!(arguments.navigator.frame, Some(Frame::EarthFixed));
+    assert_eq!(arguments.navigator.frame, Some(Axes::EarthFixed));
     arguments.check().expect("the output is no input");
     assert_eq!(replay("replay --imu i --out n --start -5").start, Some(-5.0));
 }

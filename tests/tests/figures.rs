@@ -1,7 +1,7 @@
 //! The figures that the README states, each with its bound: accuracy on perfect sensors.
 
 use schuler_host::flight::Flight;
-use schuler_host::scene::{Algorithm, Frame, Precision, Scene, WindowShape, builtin};
+use schuler_host::scene::{Algorithm, Axes, Precision, Scene, WindowShape, builtin};
 use schuler_host::simulate;
 
 fn fly(name: &str, change: impl Fn(&mut Scene)) -> Flight {
@@ -44,18 +44,18 @@ fn is_printed(number: f64, cell: &str) -> bool {
 fn every_cell_of_the_readme() {
     type Change = fn(&mut Scene);
     let rows: [(&str, Change); 11] = [
-        ("taylor, window by the plan, Earth-fixed", |s| s.navigator.frame = Frame::EarthFixed),
+        ("taylor, window by the plan, Earth-fixed", |s| s.navigator.frame = Axes::EarthFixed),
         ("taylor, window by the plan, local-level", |_| {}),
         ("taylor, a parabola over 40", |s| {
-            (s.navigator.frame, s.navigator.window) = (Frame::EarthFixed, window(0, 40, 0));
+            (s.navigator.frame, s.navigator.window) = (Axes::EarthFixed, window(0, 40, 0));
         }),
         ("taylor, 4 samples (`--window 0,4,0`), Earth-fixed", |s| {
-            (s.navigator.frame, s.navigator.window) = (Frame::EarthFixed, window(0, 4, 0));
+            (s.navigator.frame, s.navigator.window) = (Axes::EarthFixed, window(0, 4, 0));
         }),
         ("taylor, 4 samples, local-level", |s| s.navigator.window = window(0, 4, 0)),
         ("taylor, 8 samples, no delay", |s| s.navigator.window = window(4, 4, 0)),
         ("taylor, 8 samples (`--window 2,4,2`)", |s| {
-            (s.navigator.frame, s.navigator.window) = (Frame::EarthFixed, window(2, 4, 2));
+            (s.navigator.frame, s.navigator.window) = (Axes::EarthFixed, window(2, 4, 2));
         }),
         ("4 samples in `f32x2`", |s| {
             (s.navigator.precision, s.navigator.window) = (Precision::F32x2, window(0, 4, 0));
@@ -98,7 +98,7 @@ fn a_steady_climb() {
 
 #[test]
 fn the_papers_flight_to_ten_nanometres_in_both_frames() {
-    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+    for frame in [Axes::LocalLevel, Axes::EarthFixed] {
         for window in [None, window(0, 4, 0), window(2, 4, 2), window(4, 4, 0)] {
             holds("paper-perfect", 1e-8, |scene| {
                 (scene.navigator.frame, scene.navigator.window) = (frame, window);
@@ -109,7 +109,7 @@ fn the_papers_flight_to_ten_nanometres_in_both_frames() {
 
 #[test]
 fn the_papers_flight_by_the_textbook_to_a_millimetre() {
-    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+    for frame in [Axes::LocalLevel, Axes::EarthFixed] {
         holds("paper-perfect", 1e-3, |scene| {
             (scene.navigator.frame, scene.navigator.algorithm) = (frame, Algorithm::Textbook);
         });
@@ -138,7 +138,7 @@ fn hard_motion() {
     holds("hard", 1e-6, |scene| scene.navigator.window = window(4, 4, 0));
     holds("hard", 5e-9, |scene| scene.navigator.window = window(2, 4, 2));
     holds("hard", 5e-9, |scene| {
-        (scene.navigator.window, scene.navigator.frame) = (window(2, 4, 2), Frame::EarthFixed);
+        (scene.navigator.window, scene.navigator.frame) = (window(2, 4, 2), Axes::EarthFixed);
     });
     holds("hard", 0.02, |scene| scene.navigator.algorithm = Algorithm::Textbook);
 }
@@ -147,7 +147,7 @@ fn hard_motion() {
 fn manoeuvres_of_ten_g() {
     holds("manoeuvre", 5e-9, |scene| scene.navigator.window = window(2, 4, 2));
     holds("manoeuvre", 5e-9, |scene| {
-        (scene.navigator.window, scene.navigator.frame) = (window(2, 4, 2), Frame::EarthFixed);
+        (scene.navigator.window, scene.navigator.frame) = (window(2, 4, 2), Axes::EarthFixed);
     });
 }
 
@@ -155,7 +155,7 @@ fn manoeuvres_of_ten_g() {
 fn across_the_pole_and_the_antimeridian() {
     holds("polar", 1e-8, |_| {});
     holds("cruise-180", 1e-8, |_| {});
-    holds("cruise-180", 1e-8, |scene| scene.navigator.frame = Frame::EarthFixed);
+    holds("cruise-180", 1e-8, |scene| scene.navigator.frame = Axes::EarthFixed);
 }
 
 #[test]

@@ -2,11 +2,11 @@
 //!
 //! `schuler stress --case random` flies many more scenes.
 
-use schuler::strapdown::plan::{self, Digits, Flight, Shape};
-use schuler_host::scene::{Frame, Scene, builtin, parse};
+use schuler::flight::plan::{self, Digits, Flight, Shape};
+use schuler_host::scene::{Axes, Scene, builtin, parse};
 use schuler_host::simulate;
 
-fn scene(text: &str, frame: Frame) -> Scene {
+fn scene(text: &str, frame: Axes) -> Scene {
     let mut scene = parse::scene("plan.toml", text).unwrap();
     scene.navigator.frame = frame;
     scene
@@ -30,7 +30,7 @@ const SPIN: &str = "duration_s = 1\nrate_hz = 60\n[trajectory]\nyaw_deg = { rate
 /// 2.5e-6 and 9.5e-5 m, and a refusal, by limits of bandwidth alone.
 #[test]
 fn swings_and_spins_fly_with_the_window_they_need() {
-    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+    for frame in [Axes::LocalLevel, Axes::EarthFixed] {
         for (text, most_m) in [(TURNS, 3e-8), (ROLL, 1e-6), (SPIN, 2e-9)] {
             let found = position_m(&scene(text, frame), false);
             assert!(found <= most_m, "{frame:?} {found:e} m\n{text}");
@@ -40,8 +40,8 @@ fn swings_and_spins_fly_with_the_window_they_need() {
 
 #[test]
 fn a_refused_turn_names_what_would_do() {
-    let mut scene = scene(SPIN, Frame::LocalLevel);
-    scene.navigator.window = Some(schuler::strapdown::plan::UNKNOWN.into());
+    let mut scene = scene(SPIN, Axes::LocalLevel);
+    scene.navigator.window = Some(schuler::flight::plan::UNKNOWN.into());
     let error = simulate::fly(&scene, false, &mut |_| Ok(()), &|_| {}).unwrap_err().to_string();
     assert!(error.contains("turns a block of 4 samples by over 2 rad"), "{error}");
     assert!(error.contains("(--window 2,2,2)") && error.contains("a rate of 70 Hz"), "{error}");
@@ -118,7 +118,7 @@ fn no_named_window_is_three_times_better() {
 /// A series of order 3 in blocks of 20 cost 7.9e-9 m, a rest that adds up where roundings do not.
 #[test]
 fn the_papers_flight_stays_below_its_rounding() {
-    for (frame, most_m) in [(Frame::LocalLevel, 2.2e-9), (Frame::EarthFixed, 8.5e-9)] {
+    for (frame, most_m) in [(Axes::LocalLevel, 2.2e-9), (Axes::EarthFixed, 8.5e-9)] {
         let mut scene = builtin::scene("paper-perfect").unwrap();
         scene.navigator.frame = frame;
         let found = position_m(&scene, false);

@@ -1,10 +1,10 @@
 //! The terms that draw nothing, the order of terms, and the hand-over to single precision. All
 //! numbers are exact in binary.
 
+use schuler::flight::carried::Carried;
 use schuler::math::vector::Vector;
 use schuler::noise::{Deviate, Streams};
 use schuler::sample::{Increment, Rates};
-use schuler::sensor::carried::Carried;
 use schuler::sensor::constant::Constant;
 use schuler::sensor::emulator::Emulator;
 use schuler::sensor::g_sensitivity::GSensitivity;

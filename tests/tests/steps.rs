@@ -2,11 +2,11 @@
 //! over many turns: each bound is missed by an order or more without the terms that it is for.
 
 use schuler::earth::Geodetic;
+use schuler::flight::carried::Carried;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
-use schuler::sensor::carried::Carried;
 use schuler::solution::Output as _;
 use schuler::solution::{Euler, Solution};
 use schuler::strapdown::block::window::{H0B2A0, H0B4A0, H2B4A2, H4B4A4};

@@ -4,14 +4,17 @@
 //! operation.
 
 use super::bytes::Bytes;
-use super::configuration::{Configuration, Linked};
-use super::flight::{Flight, Taken};
+use super::flight::{LinkedFlight, Taken};
 use super::frame::Writer;
 use super::message::Start;
 use super::refusal::Refusal;
+use crate::flight::catalogue::{Entry, NamedFrame};
+use crate::flight::configuration::Configuration;
 use crate::math::compensated::{Pair, TwoFloat};
+use crate::math::real::Scalar;
 use crate::record::Record;
-use crate::strapdown::block::window::{H0B4A0, H2B4A2};
+use crate::strapdown::block::window::*;
+use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::earth_fixed::EarthFixed;
 use crate::strapdown::frame::local_level::LocalLevel;
 use crate::strapdown::navigator::Strapdown;
@@ -20,7 +23,7 @@ use crate::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbo
 /// One of several mechanizations in flight.
 pub trait Fleet: Copy {
     /// Names every one that can be asked for.
-    fn offers(offer: impl FnMut(Configuration));
+    fn offers(offer: &mut impl FnMut(Configuration));
     /// Starts the one that is asked for.
     fn start(start: &Start) -> Result<Self, Refusal>;
     /// Takes a sample; no row is read.
@@ -48,18 +51,18 @@ pub trait Visitor {
     /// What comes of it.
     type Result;
     /// Does it.
-    fn visit<M: Linked>(self, flight: &mut Flight<M>) -> Self::Result;
+    fn visit<M: Entry>(self, flight: &mut LinkedFlight<M>) -> Self::Result;
 }
 
 /// A single mechanization: the smallest image.
-impl<M: Linked> Fleet for Flight<M> {
-    fn offers(mut offer: impl FnMut(Configuration)) {
+impl<M: Entry> Fleet for LinkedFlight<M> {
+    fn offers(offer: &mut impl FnMut(Configuration)) {
         offer(M::CONFIGURATION);
     }
 
     fn start(start: &Start) -> Result<Self, Refusal> {
         if start.configuration == M::CONFIGURATION {
-            Flight::start(start)
+            LinkedFlight::start(start)
         } else {
             Err(Refusal::Configuration)
         }
@@ -68,29 +71,29 @@ impl<M: Linked> Fleet for Flight<M> {
     fn take(&mut self, number: u32, mut increment: Bytes) -> Result<Taken, Refusal> {
         let sample = increment.increment().ok_or(Refusal::Malformed)?;
         increment.end().ok_or(Refusal::Malformed)?;
-        Flight::take(self, number, sample, M::push)
+        LinkedFlight::take(self, number, sample, M::push)
     }
 
     fn hold(&mut self, mut vertical: Bytes) -> Result<(), Refusal> {
         let pair = vertical.pair().ok_or(Refusal::Malformed)?;
         vertical.end().ok_or(Refusal::Malformed)?;
-        Flight::hold(self, pair.hi, pair.lo)
+        LinkedFlight::hold(self, pair.hi, pair.lo)
     }
 
     fn finish(&mut self, samples: u32) -> Result<Taken, Refusal> {
-        Flight::finish(self, samples, M::push, M::finish)
+        LinkedFlight::finish(self, samples, M::push, M::finish)
     }
 
     fn taken(&self) -> u32 {
-        Flight::taken(self)
+        LinkedFlight::taken(self)
     }
 
     fn bridged(&self) -> u32 {
-        Flight::bridged(self)
+        LinkedFlight::bridged(self)
     }
 
     fn write(&self, to: &mut Writer) {
-        Flight::write(self, to);
+        LinkedFlight::write(self, to);
     }
 
     fn words(&mut self, visit: &mut dyn FnMut(u64) -> u64) {
@@ -98,7 +101,7 @@ impl<M: Linked> Fleet for Flight<M> {
     }
 
     fn check(&self) -> Result<(), Refusal> {
-        Ok(Flight::check(self)?)
+        Ok(LinkedFlight::check(self)?)
     }
 
     fn visit<V: Visitor>(&mut self, visitor: V) -> V::Result {
@@ -106,96 +109,97 @@ impl<M: Linked> Fleet for Flight<M> {
     }
 }
 
-/// Makes a [`Fleet`](crate::link::fleet::Fleet) of some mechanizations, each
-/// [`Linked`](crate::link::configuration::Linked).
+/// Makes a [`Fleet`](crate::link::fleet::Fleet) of some others: of single mechanizations, each in a
+/// [`LinkedFlight`](crate::link::flight::LinkedFlight), or of fleets.
 #[macro_export]
 macro_rules! fleet {
-    ($($(#[$doc:meta])* $visibility:vis $name:ident {
-        $($variant:ident: $mechanization:ty,)+
+    ($($(#[$doc:meta])* $visibility:vis $name:ident $([$($generic:tt)+] of [$($argument:ident)+])? {
+        $($variant:ident: $fleet:ty,)+
     })+) => {$(
         $(#[$doc])*
         // Nothing is on a heap, and a target has one of them.
         #[allow(clippy::large_enum_variant)]
-        #[derive(Clone, Copy, Debug)]
-        $visibility enum $name {
+        #[derive(Clone, Copy)]
+        $visibility enum $name $(<$($generic)+>)? {
             $(
-                #[doc = concat!("`", stringify!($mechanization), "`.")]
-                $variant($crate::link::flight::Flight<$mechanization>),
+                #[doc = concat!("`", stringify!($fleet), "`.")]
+                $variant($fleet),
             )+
         }
 
         const _: () = {
+            use $crate::flight::configuration::Configuration;
             use $crate::link::bytes::Bytes;
-            use $crate::link::configuration::{Configuration, Linked};
             use $crate::link::fleet::{Fleet, Visitor};
-            use $crate::link::flight::{Flight, Taken};
+            use $crate::link::flight::Taken;
             use $crate::link::frame::Writer;
             use $crate::link::message::Start;
             use $crate::link::refusal::Refusal;
 
-            impl Fleet for $name {
-                fn offers(mut offer: impl FnMut(Configuration)) {
-                    $(offer(<$mechanization as Linked>::CONFIGURATION);)+
+            impl $(<$($generic)+>)? Fleet for $name $(<$($argument)+>)? {
+                fn offers(offer: &mut impl FnMut(Configuration)) {
+                    $(<$fleet as Fleet>::offers(offer);)+
                 }
 
                 fn start(start: &Start) -> Result<Self, Refusal> {
-                    $(if start.configuration == <$mechanization as Linked>::CONFIGURATION {
-                        return Flight::start(start).map(Self::$variant);
+                    $(match <$fleet as Fleet>::start(start) {
+                        Err(Refusal::Configuration) => {}
+                        started => return started.map(Self::$variant),
                     })+
                     Err(Refusal::Configuration)
                 }
 
                 fn take(&mut self, number: u32, increment: Bytes) -> Result<Taken, Refusal> {
                     match self {
-                        $(Self::$variant(flight) => Fleet::take(flight, number, increment),)+
+                        $(Self::$variant(fleet) => Fleet::take(fleet, number, increment),)+
                     }
                 }
 
                 fn hold(&mut self, vertical: Bytes) -> Result<(), Refusal> {
                     match self {
-                        $(Self::$variant(flight) => Fleet::hold(flight, vertical),)+
+                        $(Self::$variant(fleet) => Fleet::hold(fleet, vertical),)+
                     }
                 }
 
                 fn finish(&mut self, samples: u32) -> Result<Taken, Refusal> {
                     match self {
-                        $(Self::$variant(flight) => Fleet::finish(flight, samples),)+
+                        $(Self::$variant(fleet) => Fleet::finish(fleet, samples),)+
                     }
                 }
 
                 fn taken(&self) -> u32 {
                     match self {
-                        $(Self::$variant(flight) => flight.taken(),)+
+                        $(Self::$variant(fleet) => Fleet::taken(fleet),)+
                     }
                 }
 
                 fn bridged(&self) -> u32 {
                     match self {
-                        $(Self::$variant(flight) => flight.bridged(),)+
+                        $(Self::$variant(fleet) => Fleet::bridged(fleet),)+
                     }
                 }
 
                 fn write(&self, to: &mut Writer) {
                     match self {
-                        $(Self::$variant(flight) => flight.write(to),)+
+                        $(Self::$variant(fleet) => Fleet::write(fleet, to),)+
                     }
                 }
 
                 fn words(&mut self, visit: &mut dyn FnMut(u64) -> u64) {
                     match self {
-                        $(Self::$variant(flight) => Fleet::words(flight, visit),)+
+                        $(Self::$variant(fleet) => Fleet::words(fleet, visit),)+
                     }
                 }
 
                 fn check(&self) -> Result<(), Refusal> {
                     match self {
-                        $(Self::$variant(flight) => Fleet::check(flight),)+
+                        $(Self::$variant(fleet) => Fleet::check(fleet),)+
                     }
                 }
 
                 fn visit<V: Visitor>(&mut self, visitor: V) -> V::Result {
                     match self {
-                        $(Self::$variant(flight) => visitor.visit(flight),)+
+                        $(Self::$variant(fleet) => Fleet::visit(fleet, visitor),)+
                     }
                 }
             }
@@ -203,36 +207,50 @@ macro_rules! fleet {
     )+};
 }
 
+/// The windows of a target in one frame.
+macro_rules! in_frame {
+    ($($window:ident),+) => {
+        fleet! {
+            /// A frame with the windows that targets have.
+            pub InFrame [F: Flown] of [F] {
+                $($window: LinkedFlight<Strapdown<F, $window>>,)+
+            }
+        }
+    };
+}
+windows_of! { target in_frame! }
+
+/// A frame that the link can start, store and compare.
+pub trait Flown:
+    Frame<Real: Scalar + Record, Output: Record> + NamedFrame + Record + 'static
+{
+}
+
+impl<F> Flown for F where
+    F: Frame<Real: Scalar + Record, Output: Record> + NamedFrame + Record + 'static
+{
+}
+
+/// Every frame with those windows, and the textbook.
+macro_rules! every {
+    ($($name:ident: $precision:ident, $axes:ident, $frame:ty, $windows:ident,
+       [$($of:ident: $textbook:ty)?];)+) => {
+        fleet! {
+            /// Single and double precision, both axes.
+            pub Every {
+                $($name: InFrame<$frame>, $($of: LinkedFlight<Textbook<$textbook>>,)?)+
+            }
+        }
+    };
+}
+every_frame! { every! }
+
 fleet! {
     /// Single precision, local-level, with and without two-float products: no double-precision operation.
     /// (In Earth-fixed axes the vertical channel is held by libm's `sinf`, which has some.)
-    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     pub Single {
-        LocalLevel4: Strapdown<LocalLevel<Pair<f32>>, H0B4A0>,
-        LocalLevel8: Strapdown<LocalLevel<Pair<f32>>, H2B4A2>,
-        TwoFloat4: Strapdown<LocalLevel<TwoFloat<f32>>, H0B4A0>,
-        TwoFloat8: Strapdown<LocalLevel<TwoFloat<f32>>, H2B4A2>,
-        LocalLevelTextbook: Textbook<LocalLevelTextbook<f32>>,
-    }
-
-    /// Single and double precision, both axes.
-    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-    pub Every {
-        DoubleLocalLevel4: Strapdown<LocalLevel<Pair<f64>>, H0B4A0>,
-        DoubleLocalLevel8: Strapdown<LocalLevel<Pair<f64>>, H2B4A2>,
-        DoubleEarthFixed4: Strapdown<EarthFixed<Pair<f64>>, H0B4A0>,
-        DoubleEarthFixed8: Strapdown<EarthFixed<Pair<f64>>, H2B4A2>,
-        DoubleLocalLevelTextbook: Textbook<LocalLevelTextbook<f64>>,
-        DoubleEarthFixedTextbook: Textbook<EarthFixedTextbook<f64>>,
-        LocalLevel4: Strapdown<LocalLevel<Pair<f32>>, H0B4A0>,
-        LocalLevel8: Strapdown<LocalLevel<Pair<f32>>, H2B4A2>,
-        EarthFixed4: Strapdown<EarthFixed<Pair<f32>>, H0B4A0>,
-        EarthFixed8: Strapdown<EarthFixed<Pair<f32>>, H2B4A2>,
-        TwoFloat4: Strapdown<LocalLevel<TwoFloat<f32>>, H0B4A0>,
-        TwoFloat8: Strapdown<LocalLevel<TwoFloat<f32>>, H2B4A2>,
-        TwoFloatEarthFixed4: Strapdown<EarthFixed<TwoFloat<f32>>, H0B4A0>,
-        TwoFloatEarthFixed8: Strapdown<EarthFixed<TwoFloat<f32>>, H2B4A2>,
-        LocalLevelTextbook: Textbook<LocalLevelTextbook<f32>>,
-        EarthFixedTextbook: Textbook<EarthFixedTextbook<f32>>,
+        LocalLevel: InFrame<LocalLevel<Pair<f32>>>,
+        TwoFloat: InFrame<LocalLevel<TwoFloat<f32>>>,
+        Textbook: LinkedFlight<Textbook<LocalLevelTextbook<f32>>>,
     }
 }

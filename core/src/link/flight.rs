@@ -2,12 +2,12 @@
 //!
 //! Target and host fly the same code, so that the same samples leave the same bits.
 
-use super::configuration::Linked;
 use super::frame::Writer;
 use super::gap::{Bridge, MOST_BRIDGED, Policy};
 use super::message::Start;
 use super::refusal::Refusal;
-use crate::digest::Digest;
+use crate::flight::catalogue::Entry;
+use crate::flight::flight::Flight;
 use crate::math::compensated::Pair;
 use crate::record::Record;
 use crate::sample::Increment;
@@ -18,13 +18,10 @@ use crate::strapdown::plausible::Damaged;
 /// Samples that wait to be integrated, at most: no window has more.
 const MOST_WAITING: u64 = 64;
 
-/// A mechanization with its state and what the link needs beside it.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Flight<M: Linked> {
-    mechanization: M,
-    state: M::State,
-    digest: Digest,
+/// A flight with what the link needs beside it.
+#[derive(Clone, Copy)]
+pub struct LinkedFlight<M: Entry> {
+    flight: Flight<M>,
     bridge: Bridge<M::Real>,
     /// Number of the last sample, and of the last 32 a bit each: whether it came.
     taken: u32,
@@ -43,7 +40,7 @@ pub enum Taken {
     Again,
 }
 
-impl<M: Linked> Flight<M> {
+impl<M: Entry> LinkedFlight<M> {
     /// As a host asks for it.
     pub fn start(start: &Start) -> Result<Self, Refusal> {
         let mut bytes = start.initial;
@@ -63,9 +60,8 @@ impl<M: Linked> Flight<M> {
 
     /// From an initial solution.
     pub fn new(mechanization: M, initial: Solution<M::Real>, gap: Policy) -> Result<Self, Refusal> {
-        let state = mechanization.start(&initial)?;
-        let (digest, bridge) = (Digest::default(), Bridge::new(gap));
-        Ok(Self { mechanization, state, digest, bridge, taken: 0, came: 0, finished: 0 })
+        let flight = Flight::new(mechanization, &initial)?;
+        Ok(Self { flight, bridge: Bridge::new(gap), taken: 0, came: 0, finished: 0 })
     }
 
     /// Takes the sample of a number, from 1; `push` is [`Mechanization::push`] or one that reads rows.
@@ -86,10 +82,10 @@ impl<M: Linked> Flight<M> {
             return Err(Refusal::Finished);
         }
         let missing = self.missing_before(number)?;
-        let before = (self.state, self.digest, self.bridge);
+        let before = (self.flight, self.bridge);
         let flown = self.fly(missing, Some(sample), push);
         if flown.is_err() {
-            (self.state, self.digest, self.bridge) = before;
+            (self.flight, self.bridge) = before;
             return flown.map(|()| Taken::Flown);
         }
         self.count(missing);
@@ -113,15 +109,14 @@ impl<M: Linked> Flight<M> {
             return Err(Refusal::Count);
         }
         let missing = self.missing_before(samples.saturating_add(1))?;
-        let before = (self.state, self.digest, self.bridge);
+        let before = (self.flight, self.bridge);
         let flown = self.fly(missing, None, push);
         if flown.is_err() {
-            (self.state, self.digest, self.bridge) = before;
+            (self.flight, self.bridge) = before;
             return flown.map(|()| Taken::Flown);
         }
         self.count(missing);
-        finish(&self.mechanization, &mut self.state);
-        self.digest.add(M::frame(&self.state));
+        self.flight.finish_by(finish);
         self.finished = 1;
         Ok(Taken::Flown)
     }
@@ -146,9 +141,9 @@ impl<M: Linked> Flight<M> {
         sample: Option<Increment<M::Real>>,
         mut push: impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), Rejected>,
     ) -> Result<(), Refusal> {
-        let Self { mechanization, state, digest, bridge, .. } = self;
+        let Self { flight, bridge, .. } = self;
         let mut pass =
-            |sample: &Increment<M::Real>| step(mechanization, state, digest, *sample, &mut push);
+            |sample: &Increment<M::Real>| flight.push_by(*sample, &mut push).map_err(Refusal::from);
         for _ in 0..missing {
             bridge.take(None, &mut pass)?;
         }
@@ -160,15 +155,14 @@ impl<M: Linked> Flight<M> {
 
     /// Sets height (m) and vertical velocity (down, m/s).
     pub fn hold(&mut self, altitude: M::Real, down: M::Real) -> Result<(), Refusal> {
-        Ok(self.mechanization.hold_vertical(&mut self.state, altitude, down)?)
+        Ok(self.flight.hold_vertical(altitude, down)?)
     }
 
     /// Whether what was written back over it can be a flight's state: before anything else is done with it.
     pub fn check(&self) -> Result<(), Damaged> {
-        self.mechanization.check(&self.state)?;
+        self.flight.check()?;
         let waiting = u64::from(self.taken).checked_sub(self.integrated());
         let sound = waiting.is_some_and(|samples| samples <= MOST_WAITING)
-            && self.digest.is_plausible()
             && self.bridge.is_plausible(self.taken, MOST_BRIDGED)
             && self.finished <= 1;
         if sound { Ok(()) } else { Err(Damaged) }
@@ -191,17 +185,17 @@ impl<M: Linked> Flight<M> {
 
     /// Samples that lie behind the solution.
     pub fn integrated(&self) -> u64 {
-        M::integrated(&self.state)
+        self.flight.integrated()
     }
 
     /// Digest of every state so far.
     pub fn digest(&self) -> u64 {
-        self.digest.value()
+        self.flight.digest()
     }
 
     /// Navigation at the end of the last block.
     pub fn output(&self) -> M::Output {
-        self.mechanization.output(&self.state)
+        self.flight.output()
     }
 
     /// Writes where it stands, as [`Standing`](super::message::Standing).
@@ -217,28 +211,10 @@ impl<M: Linked> Flight<M> {
     }
 }
 
-/// One sample through the navigator: never inlined, so that an image has it once.
-#[inline(never)]
-fn step<M: Linked>(
-    mechanization: &M,
-    state: &mut M::State,
-    digest: &mut Digest,
-    sample: Increment<M::Real>,
-    push: &mut impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), Rejected>,
-) -> Result<(), Refusal> {
-    let before = M::integrated(state);
-    push(mechanization, state, sample)?;
-    if M::integrated(state) != before {
-        digest.add(M::frame(state));
-    }
-    Ok(())
-}
-
 /// All that goes on from sample to sample; the configuration and the policy are not part of it.
-impl<M: Linked> Record for Flight<M> {
+impl<M: Entry> Record for LinkedFlight<M> {
     fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        self.state.record(name, visit);
-        self.digest.record("digest", visit);
+        self.flight.record(name, visit);
         self.bridge.record("bridge", visit);
         self.taken.record("taken", visit);
         self.came.record("came", visit);

@@ -5,12 +5,12 @@
 //! wrong on the way to it.
 
 use super::bytes::Bytes;
-use super::configuration::Configuration;
 use super::counters::Counters;
 use super::frame::{Frame, Writer};
 use super::gap::Policy;
 use super::kind::Kind;
 use super::refusal::Refusal;
+use crate::flight::configuration::Configuration;
 use crate::record::Record;
 
 /// Version of everything that crosses the link.
@@ -115,7 +115,7 @@ impl<'a> Request<'a> {
             Kind::Greet => Self::Greet,
             Kind::Reset => Self::Reset,
             Kind::Start => {
-                let configuration = Configuration::of_bytes(bytes.array()?)?;
+                let configuration = Configuration::from_bytes(bytes.array()?)?;
                 let order = bytes.u8()?;
                 let gap = match bytes.u8()? {
                     0 => Policy::Refuse,

@@ -5,7 +5,6 @@
 //! one frame. Everything is little-endian, and numbers cross as their bits.
 
 pub mod bytes;
-pub mod configuration;
 pub mod counters;
 pub mod decoder;
 pub mod fleet;

@@ -4,7 +4,6 @@
 //! new one by what it asks for, one that came again or too late by where the navigator stands, which
 //! it does not move. What only targets say is not answered.
 
-use super::configuration::Configuration;
 use super::counters::Counters;
 use super::decoder::Decoder;
 use super::fleet::Fleet;
@@ -224,7 +223,7 @@ impl<F: Fleet> Application<F> {
             match reply {
                 Reply::Hello => {
                     to.u8(VERSION);
-                    F::offers(|offer: Configuration| to.bytes(&offer.to_bytes()));
+                    F::offers(&mut |offer| to.bytes(&offer.to_bytes()));
                 }
                 Reply::Standing => {
                     if let Some(flight) = &self.flight {

@@ -18,7 +18,7 @@ impl<T> Number for T where
 }
 
 /// A real scalar: one number, or a pack of numbers that independent runs share an instruction for.
-pub trait Real: Number + Div<Output = Self> + 'static {
+pub trait Real: Number + Div<Output = Self> + Send + 'static {
     /// The result of a comparison: `bool`, or one per lane.
     type Mask: Copy;
     /// Two numbers that go through the same operations side by side.

@@ -6,7 +6,6 @@
 //! numbers. "Angle" in a unit stands for what the increments count: rad for a gyro, m/s for an
 //! accelerometer.
 
-pub mod carried;
 pub mod constant;
 pub mod emulator;
 pub mod flicker;

@@ -16,7 +16,7 @@ pub trait Mechanization {
     /// The frame's share of the state: what navigation stands at.
     type Frame: Copy;
     /// What goes on from sample to sample.
-    type State: Copy;
+    type State: Copy + Send;
     /// What it prints.
     type Output: Output<Self::Real>;
     /// The body's motion over one of its steps.

@@ -7,9 +7,9 @@
 //! | [`navigator`] | samples in, blocks and rows out |
 //! | [`reference`] | what it is measured against: the textbook's algorithm, Runge-Kutta |
 //! | [`mechanization`] | what every mechanization has in common |
-//! | [`plan`] | the cheapest window for a motion |
 //! | [`limits`], [`gate`], [`plausible`] | what is accepted of samples, starts and restored states |
 
+#[macro_use]
 pub mod block;
 pub mod frame;
 pub mod gate;
@@ -17,6 +17,5 @@ pub mod limits;
 pub mod mechanization;
 pub mod navigator;
 mod place;
-pub mod plan;
 pub mod plausible;
 pub mod reference;

@@ -18,7 +18,7 @@
 //! the IEEE bits, 8 or 16 digits), a checkpoint (`#`, sample, digest of all rows up to there) or the end
 //! (`=`). Rows may be left out, digests count them all the same.
 
-use crate::scene::Frame;
+use crate::scene::Axes;
 use std::fmt::Write as _;
 
 /// The first line.
@@ -102,9 +102,9 @@ impl Chain {
     }
 
     /// The frame of its navigator, by the `configuration` line.
-    pub fn frame(&self) -> Option<Frame> {
+    pub fn frame(&self) -> Option<Axes> {
         let name = self.get("configuration")?.split_whitespace().nth(1)?;
-        Frame::NAMES.iter().find(|(known, _)| *known == name).map(|&(_, frame)| frame)
+        name.parse().ok()
     }
 
     /// The text of the file.

@@ -1,7 +1,7 @@
 //! Two values of a word: decimal, bits, and the units in the last place between them.
 
 use super::chain::{Stage, Width};
-use crate::scene::Frame;
+use crate::scene::Axes;
 use serde::Serialize;
 
 /// Two values of a field.
@@ -20,7 +20,7 @@ pub struct Difference {
 }
 
 /// Between two values of a stage's word.
-pub fn between(stage: &Stage, frame: Option<Frame>, word: usize, a: u64, b: u64) -> Difference {
+pub fn between(stage: &Stage, frame: Option<Axes>, word: usize, a: u64, b: u64) -> Difference {
     let value = |bits: u64| match stage.width {
         Width::Single => f64::from(f32::from_bits(bits as u32)),
         Width::Double => f64::from_bits(bits),

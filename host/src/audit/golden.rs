@@ -2,12 +2,13 @@
 
 use super::chain::{Chain, Stage};
 use super::compare::{Parting, compare};
-use super::configuration::{ALL, Configuration};
+use super::configuration::{self, Named as _};
 use super::pair::Common;
 use super::record::{Cadence, SHARED, record};
 use crate::input::{Complaint, InputError, read_text};
 use crate::scene::{Scene, builtin, limits, parse};
 use crate::simulate::FlightError;
+use schuler::flight::configuration::Configuration;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -81,7 +82,7 @@ pub fn verify(
         let golden: Vec<_> = group.iter().map(read).collect::<Result<_, InputError>>()?;
         let [(_, first, file), ..] = golden.as_slice() else { continue };
         let (scene, cadence) = flight(folder, first, file)?;
-        let wanted: Vec<Configuration> = ALL
+        let wanted: Vec<Configuration> = configuration::all()
             .iter()
             .filter(|c| golden.iter().any(|(name, ..)| stem(name) == c.stem()))
             .copied()
@@ -94,7 +95,7 @@ pub fn verify(
                 return Err(InputError::file(file, Complaint::new(what, accepted)).into());
             }
             let Some((_, again)) = flown.iter().find(|(flown, _)| flown == stem(name)) else {
-                let stems = ALL.iter().map(Configuration::stem);
+                let stems = configuration::all().iter().map(|c| c.stem()).collect::<Vec<_>>();
                 let names: Vec<_> = SHARED.map(str::to_owned).into_iter().chain(stems).collect();
                 let what = "is not the name of a stage or a navigator that can be flown again";
                 return Err(InputError::file(file, Complaint::new(what, names.join(", "))).into());

@@ -1,14 +1,14 @@
 //! What the words of a stage are called.
 
 use super::chain::Stage;
-use crate::scene::Frame;
+use crate::scene::Axes;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl Stage {
     /// What a word is called: its field, and which component it is. The frame of the navigator says
     /// which those of `nav` are; without it they are numbered.
-    pub fn label(&self, word: usize, frame: Option<Frame>) -> String {
+    pub fn label(&self, word: usize, frame: Option<Axes>) -> String {
         let Some(name) = self.fields.get(word) else { return format!("word {word}") };
         let of_name = |field: &&String| *field == name;
         let count = self.fields.iter().filter(of_name).count();
@@ -16,10 +16,10 @@ impl Stage {
         let vector = match (self.name.as_str(), frame) {
             ("trajectory", _) => ["value", "first derivative", "second derivative"],
             ("nav", None) => ["1", "2", "3"],
-            ("nav", Some(Frame::LocalLevel)) if name == "position" => {
+            ("nav", Some(Axes::LocalLevel)) if name == "position" => {
                 ["latitude", "longitude", "altitude"]
             }
-            ("nav", Some(Frame::LocalLevel)) => ["north", "east", "down"],
+            ("nav", Some(Axes::LocalLevel)) => ["north", "east", "down"],
             _ => AXES,
         };
         let quaternion = ["w", "x", "y", "z"];
@@ -50,7 +50,7 @@ mod tests {
             let count = stage.fields.len();
             (0..count).map(|word| stage.label(word, frame)).collect::<Vec<_>>().join(", ")
         };
-        let (level, fixed) = (Some(Frame::LocalLevel), Some(Frame::EarthFixed));
+        let (level, fixed) = (Some(Axes::LocalLevel), Some(Axes::EarthFixed));
         let twice = "position position position position position position sine sine curvature";
         assert_eq!(
             labels("nav", level, twice),

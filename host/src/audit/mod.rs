@@ -37,7 +37,8 @@ use crate::output::{self, say};
 use crate::scene::{self, builtin};
 use crate::simulate::FlightError;
 use chain::Chain;
-use configuration::{ALL, Configuration};
+use configuration::Named as _;
+use schuler::flight::configuration::Configuration;
 use std::path::Path;
 
 /// Does what is asked for.
@@ -84,12 +85,12 @@ fn keep_scene(from: &str, to: &Path) -> Result<(), InputError> {
 
 fn chosen(names: &[String]) -> Result<Vec<Configuration>, InputError> {
     if names.is_empty() {
-        return Ok(ALL.to_vec());
+        return Ok(configuration::all());
     }
     let find = |name: &String| {
         let known = |c: &&Configuration| c.stem() == *name || c.title() == *name;
-        ALL.iter().find(known).copied().ok_or_else(|| {
-            let names: Vec<_> = ALL.iter().map(Configuration::stem).collect();
+        configuration::all().iter().find(known).copied().ok_or_else(|| {
+            let names: Vec<_> = configuration::all().iter().map(|c| c.stem()).collect();
             let complaint = Complaint::new(format!("there is no {name}"), names.join(", "));
             InputError::option("--configuration", complaint)
         })

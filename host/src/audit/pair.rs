@@ -2,7 +2,7 @@
 
 use super::chain::{Chain, Checkpoint, Row, Stage};
 use crate::input::{Complaint, InputError};
-use crate::scene::Frame;
+use crate::scene::Axes;
 use serde::Serialize;
 use std::borrow::Cow;
 
@@ -14,7 +14,7 @@ pub struct Pair<'a> {
     /// The second chain's.
     pub b: Cow<'a, Stage>,
     /// What their words belong to, where a chain says so.
-    pub frame: Option<Frame>,
+    pub frame: Option<Axes>,
     /// The sample up to which a chain says that it keeps every row.
     pub complete: u64,
 }

@@ -1,11 +1,12 @@
 //! Recording: a scene's stages, and every navigator's, into chains.
 
 use super::chain::{Chain, Checkpoint, Row, Stage, Width};
-use super::configuration::{Configuration, Words, words};
+use super::configuration::{self, Named as _, Words, words};
 use crate::scene::{Scene, Vertical};
 use crate::simulate::{FlightError, Refused, offset};
 use crate::source::Source;
 use schuler::digest;
+use schuler::flight::configuration::Configuration;
 use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
 use schuler::record::Record;
@@ -40,7 +41,8 @@ pub fn record(
     let mut shared = SHARED.map(|stage| Recording::new(&[stage], Width::Double, cadence));
     let mut flights = Vec::new();
     for configuration in configurations {
-        let steps = (configuration.start)(interval_s, &initial)
+        let steps = configuration::start(configuration, interval_s, &initial)
+            .ok_or_else(|| crate::navigator::unknown(configuration))?
             .map_err(crate::navigator::Unavailable::from)?;
         let recording = Recording::new(&["body", "nav"], configuration.width(), cadence);
         flights.push((configuration, steps, recording));

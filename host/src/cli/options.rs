@@ -2,7 +2,7 @@
 
 use crate::input::{Complaint, InputError, Range};
 use crate::navigator;
-use crate::scene::{Algorithm, Frame, Navigator, Precision, Scene, WindowShape, limits};
+use crate::scene::{Algorithm, Axes, Navigator, Precision, Scene, WindowShape, limits};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
@@ -24,8 +24,8 @@ pub struct FlightOptions {
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
 pub struct NavigatorOptions {
     /// Axes of the mechanization
-    #[arg(long, value_name = "F", value_parser = named(Frame::NAMES))]
-    pub frame: Option<Frame>,
+    #[arg(long, value_name = "F", value_parser = named(Axes::NAMES))]
+    pub frame: Option<Axes>,
     /// Arithmetic of the navigator
     #[arg(long, value_name = "P", value_parser = named(Precision::NAMES))]
     pub precision: Option<Precision>,

@@ -2,16 +2,16 @@
 
 use crate::input::InputError;
 use crate::navigator::{self, Unavailable};
-use crate::scene::{self, Frame, Navigator, Scene};
+use crate::scene::{self, Axes, Navigator, Scene};
 use crate::simulate;
+use schuler::flight::plan;
 use schuler::math::compensated::Pair;
 use schuler::strapdown::limits::StartError;
-use schuler::strapdown::plan;
 use schuler::trajectory::Trajectory as _;
 
 /// Refuses a start that navigation cannot make. A pole is the frame's fault if that was given on the
 /// command line; all else is that of the scene, a built-in name or a path.
-pub(super) fn check(scene: &Scene, name: &str, frame: Option<Frame>) -> Result<(), InputError> {
+pub(super) fn check(scene: &Scene, name: &str, frame: Option<Axes>) -> Result<(), InputError> {
     let Ok(course) = scene.trajectory.build() else { return Ok(()) };
     let initial = simulate::offset(&course.at(0.0).initial(), scene);
     let interval_s = Pair::new(scene.rate_hz).reciprocal();

@@ -8,13 +8,13 @@ use crate::lanes::pack::Lanes;
 use crate::lanes::{InLanes, Registers, in_registers};
 use crate::navigator::{self, Unavailable};
 use crate::plan::Plan;
-use crate::scene::{Frame, Precision, Scene};
+use crate::scene::{Axes, Precision, Scene};
 use crate::simulate;
 use crate::source::Source;
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window as _};
+use schuler::strapdown::block::window::*;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::limits::Rejected;
@@ -139,8 +139,8 @@ impl<'a> Ground<'a> {
         runs: Range<u64>,
     ) -> Result<Option<Box<dyn Group + 'a>>, Unavailable> {
         match self.scene.navigator.frame {
-            Frame::LocalLevel => self.in_frame::<LocalLevel<Pair<P>>, N>(runs),
-            Frame::EarthFixed => self.in_frame::<EarthFixed<Pair<P>>, N>(runs),
+            Axes::LocalLevel => self.in_frame::<LocalLevel<Pair<P>>, N>(runs),
+            Axes::EarthFixed => self.in_frame::<EarthFixed<Pair<P>>, N>(runs),
         }
     }
 
@@ -151,12 +151,11 @@ impl<'a> Ground<'a> {
     where
         F: Packed<N, Alone: Send> + Send + 'static,
     {
-        let window = self.plan.window;
-        let shape = (window.history, window.block, window.lookahead);
+        let shape = self.plan.window;
         // Each is a copy of the navigator: slow motion, the planned ones, the widest.
         macro_rules! windows {
             ($($name:ident),+) => {
-                $(if ($name::HISTORY, $name::BLOCK, $name::LOOKAHEAD) == shape {
+                $(if $name::SHAPE == shape {
                     let abreast = Abreast::<F, $name, N>::start(
                         self.interval_s(),
                         self.plan.order,
@@ -166,7 +165,7 @@ impl<'a> Ground<'a> {
                 })+
             };
         }
-        windows!(H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20);
+        schuler::windows_of! { lanes windows! }
         Ok(None)
     }
 }

@@ -1,14 +1,17 @@
 //! What is compared: algorithm and window, frame, precision, the source of functions.
 
 use super::rates::{NavigateRates, OnRates};
-use crate::navigator::{self, COMPARED, Navigate, TAYLOR, TWO_FLOAT, Unavailable};
-use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
+use crate::navigator::{self, COMPARED, Navigate, Unavailable};
+use crate::scene::{Algorithm, Axes, Navigator, Precision, WindowShape};
+use schuler::flight::catalogue::{Catalogue as _, Every};
+use schuler::flight::configuration::Configuration;
+use schuler::flight::plan::{self, Demand};
 use schuler::math::coarse::Coarse;
 use schuler::math::compensated::{Pair, Plain};
 use schuler::solution::Solution;
+use schuler::strapdown::block::window::NAMED;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::local_level::LocalLevel;
-use schuler::strapdown::plan::{self, Digits, Flight};
 use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook};
 use schuler::trajectory::Bound;
 use std::fmt;
@@ -28,9 +31,7 @@ impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Textbook => f.write_str(Algorithm::Textbook.name()),
-            Self::Taylor(WindowShape { history, block, lookahead }) => {
-                write!(f, "{} {history},{block},{lookahead}", Algorithm::Taylor.name())
-            }
+            Self::Taylor(window) => write!(f, "{} {window}", Algorithm::Taylor),
             Self::RungeKutta => f.write_str("rk4"),
         }
     }
@@ -66,11 +67,11 @@ impl Arithmetic {
     }
 
     /// How many digits it has.
-    fn digits(self) -> Digits {
+    fn precision(self) -> Precision {
         match self {
-            Self::Named(Precision::F64) | Self::PlainDouble => Digits::Double,
-            Self::Named(Precision::F32) | Self::PlainSingle | Self::Coarse => Digits::Single,
-            Self::Named(Precision::F32x2) => Digits::TwoFloat,
+            Self::Named(precision) => precision,
+            Self::PlainDouble => Precision::F64,
+            Self::PlainSingle | Self::Coarse => Precision::F32,
         }
     }
 
@@ -86,7 +87,7 @@ pub struct Case {
     /// How samples are integrated.
     pub method: Method,
     /// Axes of the mechanization.
-    pub frame: Frame,
+    pub frame: Axes,
     /// Arithmetic.
     pub arithmetic: Arithmetic,
 }
@@ -97,18 +98,28 @@ impl Case {
         use Arithmetic::{Coarse, Named, PlainDouble, PlainSingle};
         let uncompensated = [Named(Precision::F64), Named(Precision::F32), Coarse];
         let case = |method, frame| move |arithmetic| Self { method, frame, arithmetic };
-        let mut all: Vec<_> = uncompensated.map(case(Method::RungeKutta, Frame::EarthFixed)).into();
-        for &(_, frame) in Frame::NAMES {
+        let mut all: Vec<_> = uncompensated.map(case(Method::RungeKutta, Axes::EarthFixed)).into();
+        for &(_, frame) in Axes::NAMES {
             all.extend(uncompensated.map(case(Method::Textbook, frame)));
-            for shape in TAYLOR {
-                let taylor = case(Method::Taylor((*shape).into()), frame);
-                all.extend([Named(Precision::F64), Named(Precision::F32)].map(taylor));
-                if COMPARED.contains(shape) {
+            let precisions_of = |shape: WindowShape| {
+                let taylor = move |precision| Configuration {
+                    precision,
+                    axes: frame,
+                    algorithm: Algorithm::Taylor,
+                    window: shape,
+                };
+                Precision::NAMES.iter().filter(move |(_, p)| Every::has(&taylor(*p)))
+            };
+            for &shape in NAMED {
+                let taylor = case(Method::Taylor(shape), frame);
+                let (two_float, others): (Vec<_>, Vec<_>) = precisions_of(shape)
+                    .map(|&(_, precision)| precision)
+                    .partition(|&precision| precision == Precision::F32x2);
+                all.extend(others.into_iter().map(Named).map(taylor));
+                if COMPARED.contains(&shape) {
                     all.extend([PlainDouble, PlainSingle, Coarse].map(taylor));
                 }
-                if TWO_FLOAT.contains(shape) {
-                    all.push(taylor(Named(Precision::F32x2)));
-                }
+                all.extend(two_float.into_iter().map(Named).map(taylor));
             }
         }
         all
@@ -131,9 +142,7 @@ impl Case {
     /// History, block and look-ahead as `--window` takes them; empty without a window.
     pub fn window(&self) -> String {
         match self.method {
-            Method::Taylor(WindowShape { history, block, lookahead }) => {
-                format!("{history},{block},{lookahead}")
-            }
+            Method::Taylor(window) => window.to_string(),
             Method::Textbook | Method::RungeKutta => String::new(),
         }
     }
@@ -148,19 +157,19 @@ impl Case {
         let interval_s = Pair::new(rate_hz).reciprocal();
         let (algorithm, shape) = match self.method {
             Method::RungeKutta => return self.start_on_rates(interval_s.hi, initial),
-            Method::Textbook => (Algorithm::Textbook, plan::UNKNOWN.into()),
+            Method::Textbook => (Algorithm::Textbook, plan::UNKNOWN),
             Method::Taylor(shape) => (Algorithm::Taylor, shape),
         };
-        let flight = Flight {
+        let demand = Demand {
             bandwidth: bound.bandwidth,
             angular_rate: bound.angular_rate,
             // No order depends on it.
             speed: 0.0,
             interval_s: interval_s.hi,
-            digits: self.arithmetic.digits(),
-            earth_fixed: self.frame == Frame::EarthFixed,
+            precision: self.arithmetic.precision(),
+            axes: self.frame,
         };
-        let order = plan::order(&flight, (shape.history, shape.block, shape.lookahead));
+        let order = plan::order(&demand, shape);
         // Uncompensated, the interval too is one number.
         let (double, single) = (Pair::new(interval_s.hi), Pair::new(interval_s.hi as f32));
         let coarse = Pair::narrow(interval_s);
@@ -170,30 +179,30 @@ impl Case {
                 let navigator = Navigator { algorithm, precision, frame, ..Default::default() };
                 navigator::start(&navigator, shape, order, interval_s, initial)
             }
-            (Arithmetic::PlainDouble, _, Frame::LocalLevel) => {
+            (Arithmetic::PlainDouble, _, Axes::LocalLevel) => {
                 navigator::taylor_compared::<LocalLevel<Plain<f64>>>(shape, order, double, initial)
             }
-            (Arithmetic::PlainDouble, _, Frame::EarthFixed) => {
+            (Arithmetic::PlainDouble, _, Axes::EarthFixed) => {
                 navigator::taylor_compared::<EarthFixed<Plain<f64>>>(shape, order, double, initial)
             }
-            (Arithmetic::PlainSingle, _, Frame::LocalLevel) => {
+            (Arithmetic::PlainSingle, _, Axes::LocalLevel) => {
                 navigator::taylor_compared::<LocalLevel<Plain<f32>>>(shape, order, single, initial)
             }
-            (Arithmetic::PlainSingle, _, Frame::EarthFixed) => {
+            (Arithmetic::PlainSingle, _, Axes::EarthFixed) => {
                 navigator::taylor_compared::<EarthFixed<Plain<f32>>>(shape, order, single, initial)
             }
-            (Arithmetic::Coarse, Algorithm::Textbook, Frame::LocalLevel) => {
+            (Arithmetic::Coarse, Algorithm::Textbook, Axes::LocalLevel) => {
                 navigator::textbook::<LocalLevelTextbook<Coarse>>(coarse.hi, initial)
             }
-            (Arithmetic::Coarse, Algorithm::Textbook, Frame::EarthFixed) => {
+            (Arithmetic::Coarse, Algorithm::Textbook, Axes::EarthFixed) => {
                 navigator::textbook::<EarthFixedTextbook<Coarse>>(coarse.hi, initial)
             }
-            (Arithmetic::Coarse, Algorithm::Taylor, Frame::LocalLevel) => {
+            (Arithmetic::Coarse, Algorithm::Taylor, Axes::LocalLevel) => {
                 navigator::taylor_compared::<LocalLevel<Pair<Coarse>>>(
                     shape, order, coarse, initial,
                 )
             }
-            (Arithmetic::Coarse, Algorithm::Taylor, Frame::EarthFixed) => {
+            (Arithmetic::Coarse, Algorithm::Taylor, Axes::EarthFixed) => {
                 navigator::taylor_compared::<EarthFixed<Pair<Coarse>>>(
                     shape, order, coarse, initial,
                 )

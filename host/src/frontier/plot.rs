@@ -55,7 +55,7 @@ fn legend(canvas: &mut impl Canvas) {
     canvas.text([LEFT, 22.0], "Run time against error", Ink::Text, title);
     let named = |method, precision| Case {
         method,
-        frame: scene::Frame::EarthFixed,
+        frame: scene::Axes::EarthFixed,
         arithmetic: Arithmetic::Named(precision),
     };
     let window = WindowShape { history: 0, block: 4, lookahead: 0 };

@@ -1,9 +1,8 @@
 //! What a target is asked to fly: what the scene asks for, among what the target offers.
 
 use crate::input::{Complaint, InputError};
-use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
-use schuler::link::configuration::{Axes, Configuration, Method};
-use schuler::strapdown::plan::Digits;
+use crate::scene::{Navigator, WindowShape};
+use schuler::flight::configuration::Configuration;
 
 /// The configuration for a navigator whose window is planned unless the scene names one.
 pub fn choose(
@@ -11,68 +10,26 @@ pub fn choose(
     planned: WindowShape,
     offers: &[Configuration],
 ) -> Result<Configuration, InputError> {
-    let textbook = navigator.algorithm == Algorithm::Textbook;
-    let asked = |window| Configuration {
-        digits: match navigator.precision {
-            Precision::F64 => Digits::Double,
-            Precision::F32 => Digits::Single,
-            Precision::F32x2 => Digits::TwoFloat,
-        },
-        axes: match navigator.frame {
-            Frame::LocalLevel => Axes::LocalLevel,
-            Frame::EarthFixed => Axes::EarthFixed,
-        },
-        method: if textbook { Method::Textbook } else { Method::Taylor },
-        window,
-    };
-    let window = if textbook {
-        [0, 1, 0]
-    } else {
-        let WindowShape { history, block, lookahead } = navigator.window.unwrap_or(planned);
-        [history, block, lookahead].map(|samples| samples as u8)
-    };
-    let wanted = asked(window);
+    let wanted = navigator.configuration(navigator.window.unwrap_or(planned));
     if offers.contains(&wanted) {
         return Ok(wanted);
     }
-    let alike = offers.iter().filter(|offer| **offer == asked(offer.window));
-    let samples = |offer: &&Configuration| offer.window.iter().map(|&n| u32::from(n)).sum::<u32>();
+    let is_alike =
+        |offer: &&Configuration| **offer == Configuration { window: offer.window, ..wanted };
+    let alike = offers.iter().filter(is_alike);
+    let samples = |offer: &&Configuration| offer.window.samples();
     // What a motion needs that is too fast for its own block, the widest window gives; the narrowest, else.
-    let [history, _, lookahead] = window;
+    let WindowShape { history, lookahead, .. } = wanted.window;
     let other =
         if history + lookahead > 0 { alike.max_by_key(samples) } else { alike.min_by_key(samples) };
     match other.filter(|_| navigator.window.is_none()) {
         Some(&other) => Ok(other),
         None => {
-            let accepted: Vec<_> = offers.iter().map(name).collect();
-            let what = format!("the target does not fly {}", name(&wanted));
+            let accepted: Vec<_> = offers.iter().map(Configuration::to_string).collect();
+            let what = format!("the target does not fly {}", wanted);
             Err(InputError::option("navigator", Complaint::new(what, accepted.join("; "))))
         }
     }
-}
-
-/// The window of a configuration, if it has one.
-pub fn window(configuration: &Configuration) -> Option<WindowShape> {
-    let [history, block, lookahead] = configuration.window.map(usize::from);
-    (configuration.method == Method::Taylor).then_some(WindowShape { history, block, lookahead })
-}
-
-/// A configuration in the words of scenes and options.
-fn name(configuration: &Configuration) -> String {
-    let precision = match configuration.digits {
-        Digits::Double => Precision::F64,
-        Digits::Single => Precision::F32,
-        Digits::TwoFloat => Precision::F32x2,
-    };
-    let frame = match configuration.axes {
-        Axes::LocalLevel => Frame::LocalLevel,
-        Axes::EarthFixed => Frame::EarthFixed,
-    };
-    let algorithm = match window(configuration) {
-        Some(window) => format!("{} {window}", Algorithm::Taylor.name()),
-        None => Algorithm::Textbook.name().to_owned(),
-    };
-    format!("{} {algorithm} {}", precision.name(), frame.name())
 }
 
 #[cfg(test)]

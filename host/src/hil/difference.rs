@@ -1,8 +1,7 @@
 //! The first field in which a target's answer is not its twin's.
 
 use super::reply::Standing;
-use schuler::link::configuration::{Axes, Configuration};
-use schuler::strapdown::plan::Digits;
+use schuler::flight::configuration::{Axes, Configuration, Precision};
 use std::fmt;
 
 /// The fields of a solution in local-level and in Earth-fixed axes; each is a pair of scalars.
@@ -93,7 +92,7 @@ pub fn first(
         (a != b).then(|| (name.to_owned(), value(a), value(b)))
     };
     let (double, names) = (
-        configuration.digits == Digits::Double,
+        configuration.precision == Precision::F64,
         if configuration.axes == Axes::LocalLevel { LOCAL_LEVEL } else { EARTH_FIXED },
     );
     let width = if double { 8 } else { 4 };

@@ -43,7 +43,7 @@ use lockstep::{Ended, Lockstep, Log, Parts};
 use pace::Pace;
 use patience::{PATIENCE, Patience};
 use reply::Reply;
-use schuler::link::configuration::Configuration;
+use schuler::flight::configuration::Configuration;
 use schuler::link::message::VERSION;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
@@ -183,7 +183,7 @@ pub fn fly_as_far(
     let planned = Plan::new(scene, &Source::new(scene, false)?, false).window;
     let configuration = choice::choose(&scene.navigator, planned, &offers)?;
     let mut scene = scene.clone();
-    let flown = choice::window(&configuration);
+    let flown = configuration.window();
     if scene.navigator.window.is_none() && flown.is_some_and(|flown| flown != planned) {
         log.lock().unwrap_or_else(PoisonError::into_inner).planned_window = Some(planned);
     }

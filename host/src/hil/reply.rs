@@ -1,6 +1,6 @@
 //! What a target answers, free from the bytes that it came in.
 
-use schuler::link::configuration::Configuration;
+use schuler::flight::configuration::Configuration;
 use schuler::link::message::Body;
 use schuler::link::refusal::Refusal;
 
@@ -49,7 +49,8 @@ impl Reply {
     pub fn of(body: Body, time_ns: u64) -> Self {
         match body {
             Body::Hello { version, mut offers } => {
-                let offers = std::iter::from_fn(|| Some(Configuration::of_bytes(offers.array()?)));
+                let offers =
+                    std::iter::from_fn(|| Some(Configuration::from_bytes(offers.array()?)));
                 Self::Hello { version, offers: offers.flatten().collect() }
             }
             Body::Solution(standing) => Self::Standing(Standing {

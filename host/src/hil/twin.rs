@@ -2,10 +2,12 @@
 
 use super::reply::Standing;
 use crate::navigator::{self, Reader};
+use schuler::flight::carried::Carried;
+use schuler::flight::catalogue::Entry;
+use schuler::flight::configuration::{Configuration, Precision};
 use schuler::link::bytes::Bytes;
-use schuler::link::configuration::{Configuration, Linked};
 use schuler::link::fleet::{Every, Fleet, Visitor};
-use schuler::link::flight::{Flight, Taken};
+use schuler::link::flight::{LinkedFlight, Taken};
 use schuler::link::gap::Policy;
 use schuler::link::message::Start;
 use schuler::link::refusal::Refusal;
@@ -13,9 +15,7 @@ use schuler::math::compensated::Pair;
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
-use schuler::strapdown::plan::Digits;
 use std::cell::RefCell;
 
 /// How a flight is started on either side.
@@ -38,7 +38,7 @@ impl Beginning {
         interval_s: Pair<f64>,
         initial: &Solution<f64>,
     ) -> Self {
-        let initial = if configuration.digits == Digits::Double {
+        let initial = if configuration.precision == Precision::F64 {
             beginning::<f64>(interval_s, initial)
         } else {
             beginning::<f32>(interval_s, initial)
@@ -61,7 +61,7 @@ impl Beginning {
 }
 
 /// What is flown on this side.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Twin {
     flight: Every,
     carried: Carried,
@@ -146,7 +146,7 @@ struct Narrow<'a>(&'a Increment<f64>, &'a mut Carried);
 
 impl Visitor for Narrow<'_> {
     type Result = Vec<u8>;
-    fn visit<M: Linked>(self, _: &mut Flight<M>) -> Vec<u8> {
+    fn visit<M: Entry>(self, _: &mut LinkedFlight<M>) -> Vec<u8> {
         let Self(sample, carried) = self;
         scalars::<M::Real>(&mut carried.narrow::<M::Real>(sample))
     }
@@ -156,7 +156,7 @@ struct Take<'a, 'b>(u32, Bytes<'a>, &'a mut Reader<'b>);
 
 impl Visitor for Take<'_, '_> {
     type Result = Result<Taken, Refusal>;
-    fn visit<M: Linked>(self, flight: &mut Flight<M>) -> Self::Result {
+    fn visit<M: Entry>(self, flight: &mut LinkedFlight<M>) -> Self::Result {
         let Self(number, mut increment, read) = self;
         let sample = increment.increment().ok_or(Refusal::Malformed)?;
         flight.take(number, sample, |m, state, sample| navigator::push(m, state, sample, read))
@@ -167,7 +167,7 @@ struct Finish<'a, 'b>(u32, &'a mut Reader<'b>);
 
 impl Visitor for Finish<'_, '_> {
     type Result = Result<Taken, Refusal>;
-    fn visit<M: Linked>(self, flight: &mut Flight<M>) -> Self::Result {
+    fn visit<M: Entry>(self, flight: &mut LinkedFlight<M>) -> Self::Result {
         let Self(samples, read) = self;
         let read = RefCell::new(read);
         flight.finish(
@@ -182,7 +182,7 @@ struct Vertical([f64; 2]);
 
 impl Visitor for Vertical {
     type Result = Vec<u8>;
-    fn visit<M: Linked>(self, _: &mut Flight<M>) -> Vec<u8> {
+    fn visit<M: Entry>(self, _: &mut LinkedFlight<M>) -> Vec<u8> {
         let [hi, lo] = self.0.map(M::Real::narrow);
         scalars::<M::Real>(&mut Pair { hi, lo })
     }
@@ -192,7 +192,7 @@ struct Stand;
 
 impl Visitor for Stand {
     type Result = Standing;
-    fn visit<M: Linked>(self, flight: &mut Flight<M>) -> Standing {
+    fn visit<M: Entry>(self, flight: &mut LinkedFlight<M>) -> Standing {
         Standing {
             // When a sample ends, the host's clock says.
             time_ns: 0,

@@ -1,11 +1,11 @@
 //! Which algorithms, precisions, frames and windows go together.
 
-use super::{TAYLOR, TWO_FLOAT};
 use crate::input::Complaint;
 use crate::scene::{Algorithm, Navigator, Precision, WindowShape};
-use schuler::strapdown::block::window::*;
+use schuler::flight::catalogue::{Catalogue as _, Every};
+use schuler::flight::configuration::Configuration;
+use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler::strapdown::limits::StartError;
-use schuler::strapdown::plan::Shape;
 use std::fmt;
 
 /// What a scene or an option asked for, and is not to be had.
@@ -18,7 +18,7 @@ pub enum Unavailable {
         /// What has no such window.
         of: &'static str,
         /// Those that it has.
-        accepted: &'static [Shape],
+        accepted: Vec<WindowShape>,
     },
     /// A window for textbook.
     NoWindow,
@@ -43,9 +43,9 @@ impl Unavailable {
     /// What is wrong, and what would be accepted.
     pub fn complaint(&self) -> Complaint {
         match self {
-            Self::Window { shape: WindowShape { history, block, lookahead }, of, accepted } => {
-                let shapes = accepted.iter().map(|(h, b, a)| format!("; {h},{b},{a}"));
-                let what = format!("{of} has no window {history},{block},{lookahead}");
+            Self::Window { shape, of, accepted } => {
+                let shapes = accepted.iter().map(|shape| format!("; {shape}"));
+                let what = format!("{of} has no window {shape}");
                 Complaint::new(what, format!("auto{}", shapes.collect::<String>()))
             }
             Self::NoWindow => Complaint::new("textbook has no window", "auto, or taylor"),
@@ -72,30 +72,48 @@ impl From<StartError> for Unavailable {
     }
 }
 
+/// The windows that an algorithm has in some axes and precision.
+pub fn windows(asked: &Configuration) -> Vec<WindowShape> {
+    let mut windows = Vec::new();
+    Every::each(&mut |one| {
+        if one == (Configuration { window: one.window, ..*asked }) {
+            windows.extend(one.window());
+        }
+    });
+    windows
+}
+
+/// Why there is no such navigator.
+pub fn unknown(asked: &Configuration) -> Unavailable {
+    let accepted = windows(asked);
+    let of = if asked.precision == Precision::F32x2 { "f32x2" } else { "taylor" };
+    match asked.window() {
+        Some(shape) if !accepted.is_empty() => Unavailable::Window { shape, of, accepted },
+        _ => Unavailable::TwoFloat,
+    }
+}
+
 /// Whether there is a navigator of this algorithm, precision, frame and window.
 pub fn check(navigator: &Navigator) -> Result<(), Unavailable> {
-    let Navigator { algorithm, precision, window, .. } = *navigator;
-    let (of, accepted) = match (algorithm, precision) {
-        (Algorithm::Taylor, Precision::F32x2) => ("f32x2", TWO_FLOAT),
-        (Algorithm::Textbook, Precision::F32x2) => return Err(Unavailable::TwoFloat),
-        (Algorithm::Textbook, ..) if window.is_some() => return Err(Unavailable::NoWindow),
-        _ => ("taylor", TAYLOR),
-    };
-    match window {
-        Some(shape) if !accepted.iter().any(|&other| shape == other.into()) => {
-            Err(Unavailable::Window { shape, of, accepted })
-        }
+    // The plan chooses among windows that are there.
+    let any = || windows(&navigator.configuration(H0B4A0::SHAPE)).first().copied();
+    let window = navigator.window.or_else(any).unwrap_or(H0B4A0::SHAPE);
+    let asked = navigator.configuration(window);
+    match navigator.algorithm {
+        _ if !Every::has(&asked) => Err(unknown(&asked)),
+        Algorithm::Textbook if navigator.window.is_some() => Err(Unavailable::NoWindow),
         _ => Ok(()),
     }
 }
 
 /// The order that a named window's series has at most.
 pub fn terms(shape: WindowShape) -> Option<usize> {
+    use schuler::strapdown::block::window::*;
     macro_rules! find {
         ($($window:ident),+) => {
             [$(($window::SHAPE, $window::TERMS)),+]
         };
     }
-    let terms: &[(Shape, usize)] = &schuler::every_window! { find! };
-    terms.iter().find(|(other, _)| shape == (*other).into()).map(|&(_, terms)| terms)
+    let terms: &[(WindowShape, usize)] = &schuler::every_window! { find! };
+    terms.iter().find(|(other, _)| *other == shape).map(|&(_, terms)| terms)
 }

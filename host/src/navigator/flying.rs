@@ -3,12 +3,12 @@
 use super::{Navigate, Reader};
 use crate::flight::{Edges, Used};
 use crate::lanes::abreast::Refused;
-use schuler::digest::Digest;
+use schuler::flight::carried::Carried;
+use schuler::flight::from_double::FromDouble;
 use schuler::math::compensated::Pair;
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::sensor::carried::Carried;
 use schuler::solution::Output;
 use schuler::solution::Solution;
 use schuler::strapdown::block::newton;
@@ -18,15 +18,10 @@ use schuler::strapdown::mechanization::UnequalIntervals;
 
 /// One of the core's mechanizations with its state.
 pub(super) struct Flying<M: Mechanization> {
-    mechanization: M,
+    flown: FromDouble<M>,
     /// The nominal interval, s.
     interval_s: Pair<M::Real>,
     initial: Solution<M::Real>,
-    state: M::State,
-    carried: Carried,
-    /// What the intervals handed over lack of those taken in, s.
-    interval_rest: f64,
-    digest: Digest,
 }
 
 impl<M> Flying<M>
@@ -38,19 +33,8 @@ where
         interval_s: Pair<M::Real>,
         initial: &Solution<f64>,
     ) -> Result<Box<dyn Navigate>, StartError> {
-        let initial = Solution::narrow(initial);
-        let state = mechanization.start(&initial)?;
-        let (carried, digest) = Default::default();
-        let interval_rest = 0.0;
-        Ok(Box::new(Self {
-            mechanization,
-            interval_s,
-            initial,
-            state,
-            carried,
-            interval_rest,
-            digest,
-        }))
+        let flown = FromDouble::new(mechanization, initial)?;
+        Ok(Box::new(Self { flown, interval_s, initial: Solution::narrow(initial) }))
     }
 }
 
@@ -116,15 +100,7 @@ where
     M: UnequalIntervals<Real: Scalar + Send, Frame: Record, State: Send> + Send + 'static,
 {
     fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Rejected> {
-        let mut carried = self.carried;
-        let sample = carried.narrow(sample);
-        let before = M::integrated(&self.state);
-        push(&self.mechanization, &mut self.state, sample, read)?;
-        self.carried = carried;
-        if M::integrated(&self.state) != before {
-            self.digest.add(M::frame(&self.state));
-        }
-        Ok(())
+        self.flown.push_by(sample, &mut |m, state, sample| push(m, state, sample, read))
     }
 
     fn push_over(
@@ -137,42 +113,30 @@ where
         if interval_s == nominal.widen() || Pair::narrow(Pair::new(interval_s)) == nominal {
             return self.push(sample, read);
         }
-        let mut carried = self.carried;
-        let sample = carried.narrow(sample);
-        let exact = Pair::sum(interval_s, self.interval_rest);
-        let interval = Pair::<M::Real>::narrow(exact);
-        let narrowed = interval.widen_pair();
-        let before = M::integrated(&self.state);
-        push_over(&self.mechanization, &mut self.state, sample, interval, read)?;
-        self.carried = carried;
-        self.interval_rest = (exact.hi - narrowed.hi) + (exact.lo - narrowed.lo);
-        if M::integrated(&self.state) != before {
-            self.digest.add(M::frame(&self.state));
-        }
-        Ok(())
+        self.flown.push_over_by(sample, interval_s, &mut |m, state, sample, interval_s| {
+            push_over(m, state, sample, interval_s, read)
+        })
     }
 
     fn fly(&mut self, samples: &[Increment<f64>]) -> Result<(), Refused> {
-        let samples = narrow(samples, &mut self.carried);
-        fly(&self.mechanization, &mut self.state, &samples)
+        let (mechanization, state, carried) = self.flown.parts_mut();
+        fly(mechanization, state, &narrow(samples, carried))
     }
 
     fn solution(&self) -> Solution<f64> {
-        self.mechanization.output(&self.state).wide()
+        self.flown.solution()
     }
 
     fn finish(&mut self, read: &mut Reader) {
-        finish(&self.mechanization, &mut self.state, read);
-        self.digest.add(M::frame(&self.state));
+        self.flown.flight.finish_by(|m, state| finish(m, state, read));
     }
 
     fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected> {
-        let narrow = |x| M::Real::narrow(x);
-        self.mechanization.hold_vertical(&mut self.state, narrow(altitude_m), narrow(down_m_s))
+        self.flown.hold_vertical(altitude_m, down_m_s)
     }
 
     fn integrated(&self) -> u64 {
-        M::integrated(&self.state)
+        self.flown.flight.integrated()
     }
 
     fn edges(&self) -> Option<Edges> {
@@ -180,12 +144,12 @@ where
             let [gyro, accelerometer] = [used.gyro, used.accelerometer].map(|n| n.widen() as u32);
             (gyro > 0).then_some(Used { gyro, accelerometer })
         };
-        let edges = M::edges(&self.state)?;
+        let edges = M::edges(self.flown.flight.state())?;
         Some(Edges { first: used(edges.first), last: used(edges.last) })
     }
 
     fn digest(&self) -> u64 {
-        self.digest.value()
+        self.flown.flight.digest()
     }
 
     fn fly_unread(
@@ -196,13 +160,14 @@ where
         let mut carried = Carried::default();
         let (before, samples) = (narrow(before, &mut carried), narrow(samples, &mut carried));
         // What cannot be right was refused in the run itself.
-        let start = self.mechanization.start(&self.initial).map(|mut state| {
-            let _ = fly(&self.mechanization, &mut state, &before);
+        let mechanization = self.flown.flight.mechanization();
+        let start = mechanization.start(&self.initial).map(|mut state| {
+            let _ = fly(mechanization, &mut state, &before);
             state
         });
         Box::new(move || {
             if let Ok(mut state) = start {
-                let _ = fly(&self.mechanization, &mut state, &samples);
+                let _ = fly(mechanization, &mut state, &samples);
                 std::hint::black_box(&state);
             }
         })

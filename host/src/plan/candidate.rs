@@ -1,9 +1,9 @@
 //! The windows that a plan chooses from, the cheapest first.
 
+use crate::scene::WindowShape;
 use schuler::sample::Increment;
 use schuler::strapdown::block::body::BodyMotion;
 use schuler::strapdown::block::window::*;
-use schuler::strapdown::plan::Shape;
 
 /// Integrates a block within its window's samples, given half its duration, s, and the order of its series.
 pub type Integrate = fn(&[Increment<f64>], f64, usize) -> Option<BodyMotion<f64>>;
@@ -12,7 +12,7 @@ pub type Integrate = fn(&[Increment<f64>], f64, usize) -> Option<BodyMotion<f64>
 #[derive(Clone, Copy)]
 pub struct Candidate {
     /// History, block, look-ahead.
-    pub shape: Shape,
+    pub shape: WindowShape,
     /// Coefficients of its fit.
     pub coefficients: usize,
     /// Order of its series at most.
@@ -50,37 +50,41 @@ const ALL: &[Candidate] = &schuler::every_window! { all! };
 /// Time per sample at block ends, the cheapest first, as `schuler frontier` measures it: long blocks of
 /// slow motion, no neighbours, neighbours on both sides, and last those that look one way, which take the
 /// sensors' noise along.
-const CHEAPEST: &[Shape] = &[
-    (0, 40, 0),
-    (0, 20, 0),
-    (0, 12, 0),
-    (0, 8, 0),
-    (0, 6, 0),
-    (0, 4, 0),
-    (0, 3, 0),
-    (2, 4, 2),
-    (0, 2, 0),
-    (4, 4, 4),
-    (2, 2, 2),
-    (2, 4, 0),
-    (4, 4, 0),
-    (2, 2, 0),
+const CHEAPEST: &[WindowShape] = &[
+    WindowShape::new(0, 40, 0),
+    WindowShape::new(0, 20, 0),
+    WindowShape::new(0, 12, 0),
+    WindowShape::new(0, 8, 0),
+    WindowShape::new(0, 6, 0),
+    WindowShape::new(0, 4, 0),
+    WindowShape::new(0, 3, 0),
+    WindowShape::new(2, 4, 2),
+    WindowShape::new(0, 2, 0),
+    WindowShape::new(4, 4, 4),
+    WindowShape::new(2, 2, 2),
+    WindowShape::new(2, 4, 0),
+    WindowShape::new(4, 4, 0),
+    WindowShape::new(2, 2, 0),
 ];
 
 impl Candidate {
     /// Of a shape.
-    pub fn find(shape: Shape) -> Option<Self> {
+    pub fn find(shape: WindowShape) -> Option<Self> {
         ALL.iter().copied().find(|candidate| candidate.shape == shape)
     }
 
     /// All, the cheapest first.
     pub fn all() -> impl Iterator<Item = Self> {
-        CHEAPEST.iter().filter_map(|&shape| Self::find(shape))
+        let rank = |one: &Self| CHEAPEST.iter().position(|&shape| shape == one.shape);
+        let mut all = ALL.to_vec();
+        // Those without a rank are tried last.
+        all.sort_by_key(|one| rank(one).unwrap_or(CHEAPEST.len()));
+        all.into_iter()
     }
 
     /// Whether it weighs both sides of its block alike, or its block alone.
     pub fn is_symmetric(&self) -> bool {
-        self.shape.0 == self.shape.2
+        self.shape.history == self.shape.lookahead
     }
 
     /// Orders to try below the highest: the lowest there is, and that of its fit's last coefficient.

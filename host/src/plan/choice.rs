@@ -28,7 +28,7 @@ impl<T: Trajectory<f64>> Trial<'_, T> {
         let mut flown = Vec::new();
         let mut waiting = Vec::new();
         let is_taken =
-            |candidate: &&Candidate| self.is_taken(candidate.shape.1) || passages.is_whole;
+            |candidate: &&Candidate| self.is_taken(candidate.shape.block) || passages.is_whole;
         let longer = OnceCell::new();
         let longer = || longer.get_or_init(|| passages.longer());
         for candidate in candidates.iter().filter(is_taken) {
@@ -77,7 +77,7 @@ impl<T: Trajectory<f64>> Trial<'_, T> {
         let Flight { motion, interval_s, earth_fixed, .. } = *self.flight;
         let blocks_m = growth::position_m(&Rate::default(), blocks, self.duration_s);
         let step = || {
-            let block = candidate.shape.1;
+            let block = candidate.shape.block;
             step::position_m(motion, interval_s, block, self.duration_s, earth_fixed)
         };
         blocks_m <= most_m && blocks_m + step() <= most_m
@@ -120,7 +120,7 @@ impl Flown {
 /// The first of those that are near the best.
 fn best(flown: &[Flown], enough_m: f64) -> Option<Tried> {
     // Windows that look one way take noise along: only where they are much better.
-    let is_balanced = |one: &Tried| one.shape.0 == one.shape.2;
+    let is_balanced = |one: &Tried| one.shape.history == one.shape.lookahead;
     let least = |balanced: bool| {
         let of_kind = flown.iter().map(|one| &one.tried).filter(|one| is_balanced(one) == balanced);
         of_kind.fold(f64::INFINITY, |best, one| best.min(one.predicted_m))

@@ -8,12 +8,12 @@
 use super::candidate::Candidate;
 use super::middle::{Middle, Told};
 use crate::navigator;
-use crate::scene::{Navigator, Precision, Scene};
+use crate::scene::{Navigator, Precision, Scene, WindowShape};
 use crate::source::Source;
+use schuler::flight::plan;
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::plan;
 
 /// Samples of the beginning and of the end; a flight that is no longer than both is flown whole.
 const BEGINNING: u64 = 600;
@@ -77,7 +77,7 @@ impl<'a> Passages<'a> {
         if !is_whole {
             let end = Passage::new(source, all - END, END);
             // None begins at a pole in local-level axes.
-            let (window, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
+            let (window, order) = (plan::UNKNOWN, plan::HIGHEST_ORDER);
             if navigator::start(&navigator, window, order, interval_s, &end.initial).is_ok() {
                 passages.push(end);
             }
@@ -106,8 +106,8 @@ impl<'a> Passages<'a> {
     }
 
     fn fly_one(&self, passage: &Passage, candidate: &Candidate, order: usize) -> Option<Middle> {
-        let (history, block, lookahead) = candidate.shape;
-        let (shape, start) = (candidate.shape.into(), &passage.initial);
+        let WindowShape { history, block, lookahead } = candidate.shape;
+        let (shape, start) = (candidate.shape, &passage.initial);
         let mut navigator =
             navigator::start(&self.navigator, shape, order, self.interval_s, start).ok()?;
         let all = passage.samples.len();

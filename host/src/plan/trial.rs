@@ -12,11 +12,11 @@ use super::mean::Mean;
 use super::middle::Told;
 use super::passage::{Left, Passages, WHOLE};
 use super::reference::{MARGIN, Miss, Part, Stretch};
+use crate::scene::WindowShape;
 use schuler::imu;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::strapdown::limits::MOST_TURN;
-use schuler::strapdown::plan::Shape;
 use schuler::trajectory::Trajectory;
 
 /// Samples of a stretch: whole blocks of every window, which begin anew together.
@@ -46,7 +46,7 @@ pub struct Flight<'a, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tried {
     /// The window.
-    pub shape: Shape,
+    pub shape: WindowShape,
     /// The order of its series.
     pub order: usize,
     /// The position that its truncation leads to at the end, m.
@@ -131,7 +131,7 @@ impl<'a, T: Trajectory<f64>> Trial<'a, T> {
         candidate: &Candidate,
         miss: impl Fn(&[Increment<f64>], f64, &Part) -> Option<Miss>,
     ) -> Vec<Rate> {
-        let (history, block, lookahead) = candidate.shape;
+        let WindowShape { history, block, lookahead } = candidate.shape;
         let half_s = 0.5 * block as f64 * self.flight.interval_s;
         let of_stretch = |(time_s, stretch): &(f64, Stretch)| {
             let mut mean = Mean::new(&self.flight.motion.at(stretch.begin_s));

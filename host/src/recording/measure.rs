@@ -3,15 +3,16 @@
 //! The measure is that of [`support`](schuler::strapdown::block::support); here it goes on over gaps and over
 //! rows that were not looked at.
 
+use crate::scene::WindowShape;
 use schuler::sample::Increment;
 use schuler::strapdown::block::fit::MOST_SAMPLES;
 use schuler::strapdown::block::gain::gain_squared;
 use schuler::strapdown::block::support::Differences;
-use schuler::strapdown::plan::Shape;
 use std::f64::consts::TAU;
 
 /// Windows that a recording may be flown with, the shortest first.
-pub const CANDIDATES: [Shape; 3] = [(0, 4, 0), (2, 4, 2), (4, 4, 4)];
+pub const CANDIDATES: [WindowShape; 3] =
+    [WindowShape::new(0, 4, 0), WindowShape::new(2, 4, 2), WindowShape::new(4, 4, 4)];
 /// How much better than a shorter window's a longer one's estimate must be.
 const CLEARLY: f64 = 1.1;
 /// Changes from sample to sample below this part of the samples themselves are the rounding of numbers.
@@ -72,7 +73,7 @@ impl Measure {
     /// The same of both together, each against its ∇⁴; zero where nothing moves.
     fn power(&self, k: usize) -> Option<f64> {
         let [itself, change] = [self.mean(0)?, self.mean(1)?];
-        let parts = self.mean(k)?.into_iter().zip(self.mean(CANDIDATES[0].1)?).enumerate();
+        let parts = self.mean(k)?.into_iter().zip(self.mean(CANDIDATES[0].block)?).enumerate();
         let moves = |i: usize| change[i] > ROUNDING * ROUNDING * itself[i];
         let parts = parts.filter(|(i, (_, reference))| moves(*i) && *reference > 0.0);
         Some(parts.map(|(_, (power, reference))| power / reference).sum())
@@ -80,9 +81,9 @@ impl Measure {
 
     /// The window of the least estimated error, a shorter one unless a longer is clearly better; none where
     /// nothing moves.
-    pub fn window(&self) -> Option<Shape> {
-        let error = |shape: Shape| {
-            let power = self.power(shape.0 + shape.1 + shape.2)?;
+    pub fn window(&self) -> Option<WindowShape> {
+        let error = |shape: WindowShape| {
+            let power = self.power(shape.samples())?;
             Some((gain_squared(shape) * power).sqrt())
         };
         let errors = CANDIDATES.map(error);

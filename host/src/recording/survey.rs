@@ -8,8 +8,8 @@ use super::periods::PERIODS;
 use super::rows::Recording;
 use super::timeline::{Mends, Timeline};
 use crate::input::{Complaint, InputError};
+use crate::scene::WindowShape;
 use schuler::sample::Increment;
-use schuler::strapdown::plan::Shape;
 
 /// What a look through a recording shows.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub struct Survey {
     /// What was mended in the stamps.
     pub mends: Mends,
     /// The window that the samples support; none where they do not tell.
-    pub window: Option<Shape>,
+    pub window: Option<WindowShape>,
     /// How fast the motion is.
     pub motion: Motion,
 }

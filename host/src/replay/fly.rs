@@ -19,8 +19,8 @@ use crate::rest::opening::Opening;
 use crate::scene::{Gap as Policy, Navigator, WindowShape};
 use crate::simulate::FlightError;
 use crate::units::DEGREE;
+use schuler::flight::plan;
 use schuler::solution::Solution;
-use schuler::strapdown::plan;
 
 /// A time, s, and the navigation then.
 type Row = (f64, Solution<f64>);

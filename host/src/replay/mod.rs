@@ -13,7 +13,7 @@ use crate::recording::rows::Recording;
 use crate::recording::survey::Survey;
 use crate::scene::{Algorithm, Navigator, WindowShape};
 use crate::simulate::FlightError;
-use schuler::strapdown::plan;
+use schuler::flight::plan;
 
 /// Navigates a recording and writes `nav.csv`, a row per sample or fewer. Prints what its stamps say, what
 /// was aligned to, and where the vehicle ends up.

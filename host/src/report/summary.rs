@@ -18,6 +18,7 @@ struct Summary<'a> {
     precision: &'static str,
     frame: &'static str,
     algorithm: &'static str,
+    #[serde(with = "crate::scene::window")]
     window: Option<WindowShape>,
     #[serde(skip_serializing_if = "Option::is_none")]
     planned: Option<Planned>,

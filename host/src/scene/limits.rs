@@ -6,7 +6,6 @@ use crate::input::{Complaint, Range};
 use crate::units::DEGREE;
 use schuler::earth::SEMI_MAJOR_AXIS;
 use schuler::strapdown::block::window::NAMED;
-use schuler::strapdown::plan;
 use schuler::trajectory::Trajectory as _;
 use std::f64::consts::TAU;
 
@@ -37,21 +36,19 @@ const MAX_SPEED: f64 = 1e5;
 
 /// What a window may be, for people.
 pub fn windows() -> String {
-    let shapes = NAMED.iter().map(|(h, b, a)| format!("{h},{b},{a}"));
-    format!("\"auto\", or history,block,lookahead: {}", shapes.collect::<Vec<_>>().join("; "))
+    let shapes: Vec<_> = NAMED.iter().map(WindowShape::to_string).collect();
+    format!("\"auto\", or history,block,lookahead: {}", shapes.join("; "))
 }
 
 /// A window's shape, from its numbers.
 pub fn window(history: u64, block: u64, lookahead: u64) -> Result<WindowShape, Complaint> {
-    let is_named =
-        |&&(h, b, a): &&plan::Shape| (h as u64, b as u64, a as u64) == (history, block, lookahead);
-    match NAMED.iter().find(is_named) {
-        Some(&shape) => Ok(shape.into()),
-        None => {
-            let what = format!("there is no window {history},{block},{lookahead}");
-            Err(Complaint::new(what, windows()))
-        }
-    }
+    let counts = |shape: &&WindowShape| {
+        [shape.history, shape.block, shape.lookahead].map(|n| n as u64)
+            == [history, block, lookahead]
+    };
+    NAMED.iter().find(counts).copied().ok_or_else(|| {
+        Complaint::new(format!("there is no window {history},{block},{lookahead}"), windows())
+    })
 }
 
 impl Channel {

@@ -6,13 +6,15 @@ pub mod build;
 pub mod builtin;
 pub mod limits;
 pub mod parse;
+pub mod window;
 
 use crate::input::document::{Document, did_you_mean};
 use crate::input::{Complaint, InputError, read_text};
+pub use schuler::flight::configuration::{Algorithm, Axes, Precision};
+pub use schuler::strapdown::block::shape::WindowShape;
+
 use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
-use serde::Serialize;
-use std::fmt;
 use std::path::Path;
 
 /// Everything that one run needs to know.
@@ -166,7 +168,7 @@ pub struct InitialError {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Navigator {
     /// Axes of the mechanization.
-    pub frame: Frame,
+    pub frame: Axes,
     /// Arithmetic of the navigator.
     pub precision: Precision,
     /// Integration method.
@@ -177,52 +179,6 @@ pub struct Navigator {
     pub vertical: Vertical,
     /// What a missing sample does.
     pub gap: Gap,
-}
-
-/// Axes of the mechanization.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Frame {
-    /// North, east, down at the vehicle: "local-level".
-    LocalLevel,
-    /// Axes that turn with the Earth: "earth-fixed".
-    EarthFixed,
-}
-
-/// Arithmetic of the navigator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precision {
-    /// Double, compensated sums: "f64".
-    F64,
-    /// Single, compensated sums: "f32".
-    F32,
-    /// Single, with two-float products where they count: "f32x2".
-    F32x2,
-}
-
-/// Integration method.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Algorithm {
-    /// Windows of samples, a Taylor series about the block's centre: "taylor".
-    Taylor,
-    /// Single plus previous sample: "textbook".
-    Textbook,
-}
-
-/// A window's samples: history, block, look-ahead.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct WindowShape {
-    /// Samples before the block.
-    pub history: usize,
-    /// Samples integrated at once.
-    pub block: usize,
-    /// Samples after the block.
-    pub lookahead: usize,
-}
-
-impl fmt::Display for WindowShape {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{},{},{}", self.history, self.block, self.lookahead)
-    }
 }
 
 /// The vertical channel.
@@ -277,16 +233,13 @@ macro_rules! names {
     };
 }
 
-names!(Frame: LocalLevel = "local-level", EarthFixed = "earth-fixed");
-names!(Precision: F64 = "f64", F32 = "f32", F32x2 = "f32x2");
-names!(Algorithm: Taylor = "taylor", Textbook = "textbook");
 names!(Vertical: Free = "free", Held = "held");
 names!(Gap: Error = "error", Bridge = "bridge");
 
 impl Default for Navigator {
     fn default() -> Self {
         Self {
-            frame: Frame::LocalLevel,
+            frame: Axes::LocalLevel,
             precision: Precision::F64,
             algorithm: Algorithm::Taylor,
             window: None,

@@ -3,9 +3,9 @@
 use super::case::{Case, Check, Outcome};
 use super::flown::{fly, fly_forced, scene};
 use super::split_mix::word;
-use crate::navigator::TAYLOR;
 use crate::progress::CaseProgress;
 use crate::scene::{Scene, WindowShape};
+use schuler::strapdown::block::window::NAMED;
 
 const GROUP: &str = "plan";
 /// A plan may be so many times worse than the best named window, or err by this much, m.
@@ -89,7 +89,7 @@ pub fn text(seed: u64, most_samples: f64) -> String {
 /// How far a scene's plan is beyond what it promises, as a share of it: against the best window, and
 /// against a run that skips nothing. A scene that turns too fast for every window promises nothing.
 fn excess(scene: &Scene, progress: &CaseProgress) -> Result<[f64; 2], String> {
-    let best_m = TAYLOR.iter().fold(f64::INFINITY, |best, &shape| {
+    let best_m = NAMED.iter().fold(f64::INFINITY, |best, &shape| {
         let mut other = scene.clone();
         other.navigator.window = Some(WindowShape::from(shape));
         // Blocks that turn too far are refused.

@@ -5,16 +5,16 @@ use super::floor;
 use super::refused;
 use crate::navigator::{self, Navigate, Unavailable};
 use crate::progress::CaseProgress;
-use crate::scene::{Frame, Navigator};
+use crate::scene::{Axes, Navigator};
 use crate::units::ARCSECOND;
 use schuler::drift::compare::drift;
 use schuler::earth::{self, Geodetic, ROTATION_RATE};
+use schuler::flight::plan;
 use schuler::math::compensated::Pair;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::solution::{Euler, Solution};
-use schuler::strapdown::plan;
 
 pub(super) const GROUP: &str = "numbers";
 /// The least positive number.
@@ -23,9 +23,9 @@ pub(super) const SUBNORMAL: f64 = 5e-324;
 /// The group's cases.
 pub fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
-    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+    for frame in [Axes::LocalLevel, Axes::EarthFixed] {
         let name = frame.name();
-        let mut add = |what: &str, run: fn(Frame, &CaseProgress) -> Outcome| {
+        let mut add = |what: &str, run: fn(Axes, &CaseProgress) -> Outcome| {
             cases.push(Case::new(GROUP, format!("{what}, {name}"), move |p| run(frame, p)));
         };
         add("±0 and subnormals for zeros", |frame, _| zeros(frame));
@@ -37,13 +37,13 @@ pub fn cases() -> Vec<Case> {
     cases
 }
 
-pub(super) fn navigator(frame: Frame) -> Navigator {
+pub(super) fn navigator(frame: Axes) -> Navigator {
     Navigator { frame, ..Navigator::default() }
 }
 
 /// 100 Hz with eight samples about the block.
 pub(super) fn start(
-    frame: Frame,
+    frame: Axes,
     initial: &Solution<f64>,
 ) -> Result<Box<dyn Navigate>, Unavailable> {
     let (window, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
@@ -59,7 +59,7 @@ pub(super) const TILTED: Euler<f64> = Euler { roll: 0.1, pitch: -0.2, yaw: 0.7 }
 
 /// The end of a flight, from increments by their number, from 1.
 pub(super) fn fly(
-    frame: Frame,
+    frame: Axes,
     initial: &Solution<f64>,
     samples: u64,
     increment: &dyn Fn(u64) -> Increment<f64>,
@@ -86,7 +86,7 @@ fn apart(a: &Solution<f64>, b: &Solution<f64>) -> f64 {
 }
 
 /// Input of −0, of ±5e-324 and of mixed signs does what input of 0 does.
-fn zeros(frame: Frame) -> Outcome {
+fn zeros(frame: Axes) -> Outcome {
     let initial = at(0.7, 3000.0, TILTED);
     let end = |zero: &dyn Fn(u64) -> f64| {
         let axes = |n| Vector::new(zero(3 * n), zero(3 * n + 1), zero(3 * n + 2));
@@ -108,8 +108,8 @@ fn zeros(frame: Frame) -> Outcome {
 fn free_fall() -> Outcome {
     let initial = at(0.7, 100e3, TILTED);
     let nothing = |_| Increment::default();
-    let local = fly(Frame::LocalLevel, &initial, 6000, &nothing)?;
-    let earth = fly(Frame::EarthFixed, &initial, 6000, &nothing)?;
+    let local = fly(Axes::LocalLevel, &initial, 6000, &nothing)?;
+    let earth = fly(Axes::EarthFixed, &initial, 6000, &nothing)?;
     let off = drift(&local, &earth);
     // ½gt² less its decrease aloft and the Earth's turning away, to a thousandth of itself.
     let fallen = initial.position.altitude.hi - local.position.altitude.hi;
@@ -138,7 +138,7 @@ fn free_fall() -> Outcome {
 
 /// The gyro reads exactly 0 all the time: the body stands still among the stars and its case on the
 /// Earth, so that the force it feels turns backwards about the Earth's axis. All of it in closed form.
-fn no_rotation(frame: Frame, progress: &CaseProgress) -> Outcome {
+fn no_rotation(frame: Axes, progress: &CaseProgress) -> Outcome {
     const SAMPLES: u64 = 180_000;
     let (interval_s, latitude, altitude) = (0.01, 0.7_f64, 1000.0);
     let initial = at(latitude, altitude, TILTED);
@@ -179,7 +179,7 @@ fn no_rotation(frame: Frame, progress: &CaseProgress) -> Outcome {
 }
 
 /// A latitude, a height and speeds of 5e-324 stay what they are: nothing.
-fn subnormal_start(frame: Frame) -> Outcome {
+fn subnormal_start(frame: Axes) -> Outcome {
     let at = |x: f64| {
         let position = Geodetic { latitude: x, longitude: -x, altitude: x };
         let attitude = Euler { roll: x, pitch: -x, yaw: x };

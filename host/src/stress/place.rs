@@ -4,13 +4,13 @@ use super::case::{Case, Check, Outcome};
 use super::flown::{built_in, fly, scene};
 use crate::navigator::{self, Unavailable};
 use crate::progress::CaseProgress;
-use crate::scene::Frame;
+use crate::scene::Axes;
 use crate::simulate::{self, FlightError};
 use crate::source::Source;
 use crate::units::DEGREE;
+use schuler::flight::plan;
 use schuler::math::compensated::Pair;
 use schuler::strapdown::limits::{Rejected, StartError};
-use schuler::strapdown::plan;
 
 const GROUP: &str = "place";
 
@@ -35,7 +35,7 @@ pub fn cases() -> Vec<Case> {
         let name = format!("a ring at latitude {latitude_deg}°, {frame}");
         add(name, Box::new(move |p| ring(frame, latitude_deg, p)));
     }
-    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+    for frame in [Axes::LocalLevel, Axes::EarthFixed] {
         let name = frame.name();
         for (way, sign) in [("eastward", 1.0), ("westward", -1.0)] {
             add(
@@ -85,7 +85,7 @@ fn refuses(sign: f64) -> Outcome {
     let way = built_in("polar", |scene| {
         scene.trajectory.latitude.offset *= sign;
         scene.trajectory.latitude.rate *= sign;
-        scene.navigator.frame = Frame::LocalLevel;
+        scene.navigator.frame = Axes::LocalLevel;
     })?;
     let flown = simulate::fly(&way, false, &mut |_| Ok(()), &|_| ());
     let on_the_way = matches!(flown, Err(FlightError::Rejected { why: Rejected::Pole, .. }));
@@ -114,7 +114,7 @@ fn ring(frame: &str, latitude_deg: f64, progress: &CaseProgress) -> Outcome {
     Ok(fly(&scene, progress)?.floor(turned, (latitude_deg * DEGREE).tan().abs()))
 }
 
-fn antimeridian(sign: f64, frame: Frame, progress: &CaseProgress) -> Outcome {
+fn antimeridian(sign: f64, frame: Axes, progress: &CaseProgress) -> Outcome {
     let scene = built_in("cruise-180", |scene| {
         scene.trajectory.longitude.offset *= sign;
         scene.trajectory.longitude.rate *= sign;

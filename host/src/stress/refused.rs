@@ -4,27 +4,28 @@ use super::case::{Case, Check, Outcome};
 use super::floor;
 use super::flown::built_in;
 use super::numbers::{GROUP, SUBNORMAL, TILTED, at, fly, navigator, start};
-use crate::navigator::{self, TAYLOR, TWO_FLOAT, Unavailable};
+use crate::navigator::{self, Unavailable};
 use crate::progress::CaseProgress;
-use crate::scene::{Algorithm, Frame, Navigator, Precision, WindowShape};
+use crate::scene::{Axes, Navigator, WindowShape};
 use crate::simulate::largest;
 use crate::source::Source;
 use crate::units::DEGREE;
 use schuler::drift::compare::drift;
+use schuler::flight::catalogue::{Catalogue as _, Every};
+use schuler::flight::configuration::Configuration;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::limits::MOST_TURN;
 use schuler::strapdown::limits::{Rejected, StartError};
-use schuler::strapdown::plan;
 
 /// Its cases.
 pub fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
-    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+    for frame in [Axes::LocalLevel, Axes::EarthFixed] {
         let name = frame.name();
-        let mut add = |what: &str, run: fn(Frame) -> Outcome| {
+        let mut add = |what: &str, run: fn(Axes) -> Outcome| {
             cases.push(Case::new(GROUP, format!("{what}, {name}"), move |_| run(frame)));
         };
         add("attitudes far from unit", attitudes);
@@ -36,7 +37,7 @@ pub fn cases() -> Vec<Case> {
 }
 
 /// To a thousandth an attitude is brought to unit length, beyond it is refused.
-fn attitudes(frame: Frame) -> Outcome {
+fn attitudes(frame: Axes) -> Outcome {
     let scaled = |factor: f64| {
         let mut initial = at(0.7, 1000.0, TILTED);
         initial.attitude = initial.attitude.map(|c| c * Pair::new(factor));
@@ -80,7 +81,7 @@ fn slot(start: &mut Solution<f64>, field: usize) -> Option<(&mut Pair<f64>, Star
 }
 
 /// Every number of a start in turn.
-fn starts(frame: Frame) -> Outcome {
+fn starts(frame: Axes) -> Outcome {
     let mut wrong = 0;
     for x in IMPOSSIBLE {
         let good = at(0.7, 1000.0, TILTED);
@@ -100,20 +101,12 @@ fn starts(frame: Frame) -> Outcome {
     Ok(vec![Check::never("not refused", wrong, "a typed error for every number of a start")])
 }
 
-/// Every navigator there is: textbook and each window, in both frames and two precisions, and those with
-/// two-float products.
+/// Every navigator there is, with its window.
 fn every_navigator() -> Vec<(Navigator, WindowShape)> {
     let mut all = Vec::new();
-    for &(_, frame) in Frame::NAMES {
-        for precision in [Precision::F64, Precision::F32] {
-            let navigator = Navigator { precision, ..navigator(frame) };
-            all.extend(TAYLOR.iter().map(|&shape| (navigator, shape.into())));
-            let textbook = Navigator { algorithm: Algorithm::Textbook, ..navigator };
-            all.push((textbook, plan::UNKNOWN.into()));
-        }
-        let two_float = Navigator { precision: Precision::F32x2, ..navigator(frame) };
-        all.extend(TWO_FLOAT.iter().map(|&shape| (two_float, shape.into())));
-    }
+    Every::each(&mut |Configuration { precision, axes, algorithm, window }| {
+        all.push((Navigator { precision, algorithm, ..navigator(axes) }, window));
+    });
     all
 }
 
@@ -173,7 +166,7 @@ fn too_far() -> Outcome {
         velocity_b: Vector::new(0.0, 0.0, -0.098),
     };
     let mut wrong = 0;
-    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+    for frame in [Axes::LocalLevel, Axes::EarthFixed] {
         let initial = at(0.7, 1000.0, TILTED);
         let mut flying = start(frame, &initial).map_err(|error| error.to_string())?;
         let limit = MOST_TURN / 4.0;

@@ -5,7 +5,7 @@ use super::floor::{self, Parabola, UNIT};
 use super::flown::{built_in, fly, watch};
 use super::link;
 use crate::progress::CaseProgress;
-use crate::scene::{Frame, Precision, Scene, Vertical, WindowShape};
+use crate::scene::{Axes, Precision, Scene, Vertical, WindowShape};
 use crate::simulate::largest;
 use crate::source::Source;
 use crate::units::DEGREE;
@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 pub(super) const GROUP: &str = "time";
 const DAY_S: f64 = 86400.0;
-const FRAMES: [Frame; 2] = [Frame::LocalLevel, Frame::EarthFixed];
+const FRAMES: [Axes; 2] = [Axes::LocalLevel, Axes::EarthFixed];
 
 /// The paper's harmonics: 5° every 7200 s.
 const PAPER_PERIOD_S: f64 = 7200.0;
@@ -31,7 +31,7 @@ pub fn cases() -> Vec<Case> {
     for frame in FRAMES {
         let name = frame.name();
         for (days, long) in [(1.0, false), (30.0, true)] {
-            let mut add = |what: &str, run: fn(Frame, f64, &CaseProgress) -> Outcome| {
+            let mut add = |what: &str, run: fn(Axes, f64, &CaseProgress) -> Outcome| {
                 let case = Case::new(GROUP, format!("{days} d {what}, {name}"), move |progress| {
                     run(frame, days, progress)
                 });
@@ -78,7 +78,7 @@ pub(super) fn at_rest(duration_s: f64, rate_hz: f64) -> Result<Scene, String> {
     })
 }
 
-fn rest(frame: Frame, days: f64, progress: &CaseProgress) -> Outcome {
+fn rest(frame: Axes, days: f64, progress: &CaseProgress) -> Outcome {
     let mut scene = at_rest(days * DAY_S, 10.0)?;
     (scene.navigator.frame, scene.navigator.vertical) = (frame, Vertical::Held);
     held(&scene, floor::held_m(UNIT, scene.duration_s), 1.0, progress)
@@ -90,7 +90,7 @@ fn rest_in_single_precision(progress: &CaseProgress) -> Outcome {
     held(&scene, floor::held_m(floor::SINGLE_UNIT, scene.duration_s), 1.0, progress)
 }
 
-fn paper(frame: Frame, days: f64, progress: &CaseProgress) -> Outcome {
+fn paper(frame: Axes, days: f64, progress: &CaseProgress) -> Outcome {
     let scene = built_in("paper-perfect", |scene| {
         scene.duration_s = days * DAY_S;
         // One sample a second is enough for the paper's motion, and shows the blocks' own truncation.
@@ -125,7 +125,7 @@ fn held(scene: &Scene, bound_m: f64, tangent: f64, progress: &CaseProgress) -> O
 const FAR_M: f64 = 1000.0;
 
 /// δh cosh κt leaves 1 km when theory says, and grows by κ on the way.
-fn off_by_a_millimetre(frame: Frame, progress: &CaseProgress) -> Outcome {
+fn off_by_a_millimetre(frame: Axes, progress: &CaseProgress) -> Outcome {
     let start_m = 1e-3;
     let kappa = floor::vertical_rate((45.0 * DEGREE).sin());
     let expected_s = (FAR_M / start_m).acosh() / kappa;
@@ -153,7 +153,7 @@ fn off_by_a_millimetre(frame: Frame, progress: &CaseProgress) -> Outcome {
 }
 
 /// From a perfect start, rounding of gravity alone must not leave 1 km any sooner than it can.
-fn perfect_start(frame: Frame, progress: &CaseProgress) -> Outcome {
+fn perfect_start(frame: Axes, progress: &CaseProgress) -> Outcome {
     let kappa = floor::vertical_rate((45.0 * DEGREE).sin());
     let offset_m = floor::ROUNDINGS * UNIT * EQUATORIAL_GRAVITY / (kappa * kappa);
     let least_s = (FAR_M / offset_m).acosh() / kappa;
@@ -176,7 +176,7 @@ fn perfect_start(frame: Frame, progress: &CaseProgress) -> Outcome {
     ])
 }
 
-fn steps(frame: Frame, rate_hz: f64, duration_s: f64, progress: &CaseProgress) -> Outcome {
+fn steps(frame: Axes, rate_hz: f64, duration_s: f64, progress: &CaseProgress) -> Outcome {
     let scene = built_in("paper-perfect", |scene| {
         (scene.duration_s, scene.rate_hz) = (duration_s, rate_hz);
         (scene.navigator.frame, scene.navigator.window) = (frame, Some(FOUR));
@@ -197,7 +197,7 @@ fn steps(frame: Frame, rate_hz: f64, duration_s: f64, progress: &CaseProgress) -
 }
 
 /// A window left to the plan loses no more than the shortest block there is.
-fn planned(name: &str, frame: Frame, rate_hz: f64, progress: &CaseProgress) -> Outcome {
+fn planned(name: &str, frame: Axes, rate_hz: f64, progress: &CaseProgress) -> Outcome {
     let scene = built_in(name, |scene| {
         (scene.rate_hz, scene.navigator.frame) = (rate_hz, frame);
     })?;

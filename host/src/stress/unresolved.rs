@@ -5,7 +5,7 @@ use super::floor;
 use super::flown::{built_in, fly, scene};
 use super::residual::{self, Shape};
 use crate::progress::CaseProgress;
-use crate::scene::{Algorithm, Frame, Scene, WindowShape};
+use crate::scene::{Algorithm, Axes, Scene, WindowShape};
 use crate::units::{ARCSECOND, DEGREE, DEGREE_PER_ROOT_HOUR};
 use schuler::earth::EQUATORIAL_GRAVITY;
 use schuler::strapdown::block::window::{H2B4A2, H4B4A4};
@@ -31,13 +31,13 @@ const TRIED: [(usize, usize, usize); 9] = [
 /// The group's cases.
 pub fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
-    for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+    for frame in [Axes::LocalLevel, Axes::EarthFixed] {
         let name = frame.name();
         for angle_deg in [0.1, 1.0] {
             for samples in [2.2, 2.5, 3.0, 4.0, 6.0, 10.0] {
                 let what = format!("cone of {angle_deg}°, {samples} samples per cycle, {name}");
                 let case = Case::new(GROUP, what, move |p| cone(angle_deg, samples, frame, p));
-                let short = angle_deg < 1.0 && frame == Frame::LocalLevel;
+                let short = angle_deg < 1.0 && frame == Axes::LocalLevel;
                 cases.push(if short { case } else { case.long() });
             }
         }
@@ -54,7 +54,7 @@ pub fn cases() -> Vec<Case> {
                 );
                 let sensors = Sensors { noise, step_arcsec, step_m_s };
                 let case = Case::new(GROUP, what, move |p| erring(sensors, duration_s, frame, p));
-                cases.push(if frame == Frame::LocalLevel { case } else { case.long() });
+                cases.push(if frame == Axes::LocalLevel { case } else { case.long() });
             }
         }
     }
@@ -62,7 +62,7 @@ pub fn cases() -> Vec<Case> {
 }
 
 /// Roll and pitch as cosines, pitch a quarter ahead.
-fn cone_scene(angle_deg: f64, samples_per_cycle: f64, frame: Frame) -> Result<Scene, String> {
+fn cone_scene(angle_deg: f64, samples_per_cycle: f64, frame: Axes) -> Result<Scene, String> {
     let period_s = samples_per_cycle / RATE_HZ;
     let mut scene = scene(&format!(
         "duration_s = {CONE_S}\nrate_hz = {RATE_HZ}\n[trajectory]\nlatitude_deg = 45\n\
@@ -75,7 +75,7 @@ fn cone_scene(angle_deg: f64, samples_per_cycle: f64, frame: Frame) -> Result<Sc
 }
 
 /// Against the textbook, which follows such a motion badly and never runs away from it.
-fn cone(angle_deg: f64, samples: f64, frame: Frame, progress: &CaseProgress) -> Outcome {
+fn cone(angle_deg: f64, samples: f64, frame: Axes, progress: &CaseProgress) -> Outcome {
     let mut scene = cone_scene(angle_deg, samples, frame)?;
     let planned = fly(&scene, progress)?.position_m;
     let mut checks = Vec::new();
@@ -123,7 +123,7 @@ struct Sensors {
 }
 
 /// Every window against four samples to a block, whose edges are like any of its blocks.
-fn erring(sensors: Sensors, duration_s: f64, frame: Frame, progress: &CaseProgress) -> Outcome {
+fn erring(sensors: Sensors, duration_s: f64, frame: Axes, progress: &CaseProgress) -> Outcome {
     let positive = |x: f64| (x > 0.0).then_some([x; 3]);
     let mut scene = built_in("paper", |scene| {
         scene.duration_s = duration_s;

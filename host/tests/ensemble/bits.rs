@@ -9,7 +9,7 @@ use schuler_host::lanes::Registers;
 use schuler_host::navigator;
 use schuler_host::navigator::Unavailable;
 use schuler_host::scene::Vertical;
-use schuler_host::scene::{self, Frame, Precision, Scene, WindowShape};
+use schuler_host::scene::{self, Axes, Precision, Scene, WindowShape};
 use schuler_host::simulate;
 use schuler_host::source::Source;
 use std::collections::HashMap;
@@ -60,7 +60,7 @@ fn every_run_has_its_own_bits_in_every_unit() {
     for (history, block, lookahead) in
         [(0, 4, 0), (2, 4, 2), (4, 4, 4), (0, 8, 0), (0, 20, 0), (0, 12, 0)]
     {
-        for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+        for frame in [Axes::LocalLevel, Axes::EarthFixed] {
             scene.navigator.window = Some(WindowShape { history, block, lookahead });
             scene.navigator.frame = frame;
             let expected: Vec<_> = (0..RUNS).map(|run| alone(&scene, run)).collect();
@@ -116,7 +116,7 @@ fn a_held_run_has_its_own_bits_in_every_unit() {
         (Precision::F64, (0, 12, 0)),
         (Precision::F32, (2, 4, 2)),
     ] {
-        for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+        for frame in [Axes::LocalLevel, Axes::EarthFixed] {
             scene.navigator.window = Some(WindowShape { history, block, lookahead });
             (scene.navigator.frame, scene.navigator.precision) = (frame, precision);
             let expected: Vec<_> = (0..RUNS).map(|run| held_alone(&scene, run)).collect();
@@ -179,7 +179,7 @@ fn the_first_run_is_that_of_schuler_run() {
 fn where_all_runs_fail_each_says_where() {
     // Toward the pole, where the local-level frame ends.
     let mut scene = erring("polar", 600.0);
-    scene.navigator.frame = Frame::LocalLevel;
+    scene.navigator.frame = Axes::LocalLevel;
     let failed = |unit, threads| {
         let flown = fly(&scene, unit, threads).unwrap();
         assert!(flown.readings.iter().all(|reading| reading.drifts.is_empty()));

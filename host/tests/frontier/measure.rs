@@ -4,7 +4,7 @@ use schuler::trajectory::Trajectory as _;
 use schuler_host::frontier::case::Case;
 use schuler_host::frontier::measure::measure;
 use schuler_host::frontier::pace;
-use schuler_host::scene::{Algorithm, Frame, Precision, WindowShape, builtin};
+use schuler_host::scene::{Algorithm, Axes, Precision, WindowShape, builtin};
 use schuler_host::simulate;
 use schuler_host::source::Source;
 use std::collections::HashSet;
@@ -33,7 +33,7 @@ fn errors_are_those_of_a_run() {
     assert_eq!(heard, (5001 + pace::SAMPLES) * cases.len() as u64);
     assert!(points.iter().all(|p| p.ns_per_sample > 0.0 && p.ns_spread == 0.0));
     assert!(points.iter().map(|p| p.case.to_string()).eq(names));
-    scene.navigator.frame = Frame::EarthFixed;
+    scene.navigator.frame = Axes::EarthFixed;
     for (point, algorithm, precision) in [
         (&points[0], Algorithm::Taylor, Precision::F64),
         (&points[1], Algorithm::Taylor, Precision::F32),

@@ -4,19 +4,19 @@ use crate::{fly, manner, scene};
 use schuler::link::fleet::{Every, Single};
 use schuler_host::hil::Manner;
 use schuler_host::hil::in_process::InProcess;
-use schuler_host::scene::{Algorithm, Frame, Gap, Precision, Scene, Vertical, WindowShape};
+use schuler_host::scene::{Algorithm, Axes, Gap, Precision, Scene, Vertical, WindowShape};
 use schuler_host::simulate::{self, FlightError};
 
 /// Scenes with every kind of navigator.
 fn scenes() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for (precision, frame, algorithm, window) in [
-        (Precision::F32, Frame::LocalLevel, Algorithm::Taylor, (0, 4, 0)),
-        (Precision::F64, Frame::EarthFixed, Algorithm::Taylor, (2, 4, 2)),
-        (Precision::F32x2, Frame::LocalLevel, Algorithm::Taylor, (2, 4, 2)),
-        (Precision::F32x2, Frame::EarthFixed, Algorithm::Taylor, (0, 4, 0)),
-        (Precision::F64, Frame::LocalLevel, Algorithm::Textbook, (0, 0, 0)),
-        (Precision::F32, Frame::EarthFixed, Algorithm::Textbook, (0, 0, 0)),
+        (Precision::F32, Axes::LocalLevel, Algorithm::Taylor, (0, 4, 0)),
+        (Precision::F64, Axes::EarthFixed, Algorithm::Taylor, (2, 4, 2)),
+        (Precision::F32x2, Axes::LocalLevel, Algorithm::Taylor, (2, 4, 2)),
+        (Precision::F32x2, Axes::EarthFixed, Algorithm::Taylor, (0, 4, 0)),
+        (Precision::F64, Axes::LocalLevel, Algorithm::Textbook, (0, 0, 0)),
+        (Precision::F32, Axes::EarthFixed, Algorithm::Textbook, (0, 0, 0)),
     ] {
         let mut scene = scene("paper", 20.0);
         let (history, block, lookahead) = window;

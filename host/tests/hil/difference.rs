@@ -1,14 +1,14 @@
 //! A target that is one bit off is found out: which sample, which field, which values.
 
 use crate::{fly, scene};
-use schuler::link::configuration::{Axes, Configuration, Method};
+use schuler::flight::configuration::{Axes, Configuration, Method};
+use schuler::flight::plan::Digits;
 use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Every;
 use schuler::link::frame::{MOST_ENCODED, encode};
 use schuler::link::kind::Kind;
 use schuler::record::Record;
 use schuler::solution::{EarthFixedSolution, Solution};
-use schuler::strapdown::plan::Digits;
 use schuler_host::hil::Manner;
 use schuler_host::hil::channel::{Broken, Channel};
 use schuler_host::hil::difference::first;

@@ -1,14 +1,14 @@
 //! A million frames, one in a hundred of them hit.
 
 use crate::manner;
-use schuler::link::configuration::{Axes, Configuration, Method};
+use schuler::flight::configuration::{Axes, Configuration, Method};
+use schuler::flight::plan::Digits;
 use schuler::link::fleet::Single;
 use schuler::link::gap::Policy;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::solution::{Euler, Solution};
-use schuler::strapdown::plan::Digits;
 use schuler_host::hil::conversation::Conversation;
 use schuler_host::hil::in_process::InProcess;
 use schuler_host::hil::injector::Injector;

@@ -1,7 +1,7 @@
 //! The built-in scenes fly what they are said to fly.
 
 use schuler::trajectory::{Motion, Trajectory};
-use schuler_host::scene::{Frame, Scene, builtin, load};
+use schuler_host::scene::{Axes, Scene, builtin, load};
 use std::f64::consts::PI;
 
 fn scene(name: &str) -> Scene {
@@ -48,7 +48,7 @@ fn rates_durations_and_titles() {
         let perfect = !["paper", "sea-state"].contains(&name);
         assert_eq!(scene.gyro == Default::default(), perfect, "{name}");
         assert_eq!(scene.accelerometer == Default::default(), perfect, "{name}");
-        let frame = if name == "polar" { Frame::EarthFixed } else { Frame::LocalLevel };
+        let frame = if name == "polar" { Axes::EarthFixed } else { Axes::LocalLevel };
         assert_eq!(scene.navigator.frame, frame, "{name}");
     }
     assert_eq!(builtin::scene("no-such-scene"), None);

@@ -5,7 +5,7 @@ use crate::truth::{Flown, Refused};
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::record::Record;
-use schuler::sensor::carried::Carried;
+use schuler::flight::carried::Carried;
 use schuler::solution::Solution;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::local_level::LocalLevel;

@@ -8,14 +8,14 @@ use schuler::math::compensated::Pair;
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::sensor::carried::Carried;
+use schuler::flight::carried::Carried;
 use schuler::solution::Solution;
 use schuler::strapdown::frame::Frame;
 use schuler::solution::Output as _;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::plan::{self, Digits};
+use schuler::flight::plan::{self, Digits};
 use schuler::strapdown::block::window::Window;
 use schuler::trajectory::Bound;
 

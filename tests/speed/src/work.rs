@@ -3,12 +3,13 @@
 use crate::flight::{Course, Flight, Hard, Manoeuvre, Paper};
 use crate::paper::{self, Sensors};
 use schuler::digest::Digest;
+use schuler::flight::carried::Carried;
+use schuler::flight::plan;
 use schuler::imu::Quadrature;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
 use schuler::strapdown::block::window::{H0B4A0, H2B4A2, Line8, Window};
 use schuler::strapdown::frame::Frame;
@@ -16,7 +17,6 @@ use schuler::strapdown::frame::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::plan;
 use schuler::strapdown::reference::textbook::{
     EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
 };

@@ -1,7 +1,8 @@
 //! A host as simple as can be, and what it says to a target.
 
+use schuler::flight::carried::Carried;
+use schuler::flight::configuration::Linked;
 use schuler::link::bytes::Bytes;
-use schuler::link::configuration::Linked;
 use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Fleet;
 use schuler::link::frame::{Header, MOST_ENCODED, encode};
@@ -11,7 +12,6 @@ use schuler::link::target::Target;
 use schuler::math::compensated::Pair;
 use schuler::math::real::Scalar;
 use schuler::record::Record;
-use schuler::sensor::carried::Carried;
 use schuler::solution::Solution;
 use schuler_tests::Course;
 

@@ -1,8 +1,8 @@
 //! How near to the truth: rows inside blocks, both frames, both precisions, orders of convergence.
 
+use schuler::flight::carried::Carried;
 use schuler::math::compensated::{Accumulate, Pair, Plain, TwoFloat};
 use schuler::math::real::Scalar;
-use schuler::sensor::carried::Carried;
 use schuler::solution::Output as _;
 use schuler::solution::Solution;
 use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A0, Window};

@@ -1,12 +1,12 @@
 //! The body step against Runge and Kutta, against closed forms, and by the textbook.
 
+use schuler::flight::plan;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::strapdown::block::body::BodyMotion;
 use schuler::strapdown::block::inside::BlockSeries as _;
 use schuler::strapdown::block::window::Window;
-use schuler::strapdown::plan;
 use schuler::strapdown::reference::textbook::body::Compensated;
 use schuler_tests::Numbers;
 

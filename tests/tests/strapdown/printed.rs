@@ -8,7 +8,7 @@ use schuler::solution::{Euler, Solution};
 use schuler::strapdown::limits::Rejected;
 use schuler_host::navigator;
 use schuler_host::recording::navigation::{COLUMNS, NavigationRow};
-use schuler_host::scene::{Algorithm, Frame, Navigator, Precision};
+use schuler_host::scene::{Algorithm, Axes, Navigator, Precision};
 use schuler_tests::Numbers;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -71,7 +71,7 @@ fn every_printed_state_is_a_start() {
     let ways = [(Taylor, F64), (Taylor, F32), (Taylor, F32x2), (Textbook, F64), (Textbook, F32)];
     let (mut numbers, mut started, mut refused) = (Numbers(7), 0, 0);
     for (algorithm, precision) in ways {
-        for frame in [Frame::LocalLevel, Frame::EarthFixed] {
+        for frame in [Axes::LocalLevel, Axes::EarthFixed] {
             let navigator = Navigator { algorithm, precision, frame, ..Navigator::default() };
             let start = |initial: &Solution<f64>| {
                 let interval_s = Pair::new(10.0).reciprocal();
@@ -82,7 +82,7 @@ fn every_printed_state_is_a_start() {
                 let is_off_pole = position.latitude.cos() > NEAR_POLE;
                 let is_slow = velocity_ned.into_array().iter().all(|speed| speed.abs() <= 1e5);
                 let is_near = position.altitude.abs() <= 1e6;
-                is_slow && is_near && (is_off_pole || frame == Frame::EarthFixed)
+                is_slow && is_near && (is_off_pole || frame == Axes::EarthFixed)
             };
             for _ in 0..60 {
                 let initial = anywhere(&mut numbers);

@@ -1,10 +1,10 @@
 //! States written back with something wrong in them: refused, or flown on to an end.
 
+use schuler::flight::carried::Carried;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::sensor::carried::Carried;
 use schuler::solution::Output as _;
 use schuler::solution::Solution;
 use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola40};

@@ -1,12 +1,12 @@
 //! Samples that differ in length: nothing changes where they do not, and time is what the intervals say.
 
 use schuler::drift::compare::drift;
+use schuler::flight::carried::Carried;
 use schuler::imu::Quadrature;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::sensor::carried::Carried;
 use schuler::solution::Output as _;
 use schuler::solution::Solution;
 use schuler::strapdown::block::unequal::Unequal;

@@ -6,7 +6,7 @@ use super::super::vector::Vector;
 use super::{Pair, two_sum};
 
 /// How a state variable is summed up: compensation is a type.
-pub trait Accumulate: Copy {
+pub trait Accumulate: Send + Copy {
     /// The scalar that it sums.
     type Real: Real;
     /// From a number and its remainder.

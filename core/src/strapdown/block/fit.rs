@@ -14,9 +14,6 @@ use crate::sample::Increment;
 /// Samples in the windows of the last blocks of a stream that lines or parabolas were fitted to.
 pub const LINE_LAST_SAMPLES: usize = 8;
 
-/// A window's shape: history, block, look-ahead.
-pub type Shape = (usize, usize, usize);
-
 /// Most samples that a window may interpolate.
 pub const MOST_SAMPLES: usize = 14;
 

@@ -7,7 +7,7 @@
 //! history as look-ahead, 3 to 72 for a block at the end of a long one.
 
 use super::fit::MOST_SAMPLES;
-use crate::strapdown::block::fit::Shape;
+use super::shape::WindowShape;
 
 /// gain² of the window that interpolates `shape`'s samples; infinite where they are more than
 /// [`MOST_SAMPLES`] or no block.
@@ -19,7 +19,7 @@ use crate::strapdown::block::fit::Shape;
 /// assert!((gain((2, 4, 2)) - 1.14).abs() < 0.01);
 /// assert!((gain((0, 4, 10)) - 72.0).abs() < 1.0);
 /// ```
-pub const fn gain_squared((history, block, lookahead): Shape) -> f64 {
+pub const fn gain_squared(WindowShape { history, block, lookahead }: WindowShape) -> f64 {
     if block == 0 || history + block + lookahead > MOST_SAMPLES {
         return f64::INFINITY;
     }

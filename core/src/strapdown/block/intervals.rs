@@ -4,7 +4,7 @@ use crate::math::compensated::Pair;
 use crate::math::real::Real;
 
 /// How the intervals of the stored samples are kept: not at all, or one by one.
-pub trait Intervals<R: Real>: Copy {
+pub trait Intervals<R: Real>: Copy + Send {
     /// All of them nominal.
     fn nominal() -> Self;
     /// What the stored samples' intervals exceed the nominal one by, s; nothing where none can.

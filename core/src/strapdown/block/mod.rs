@@ -2,6 +2,7 @@
 //!
 //! | file | what it has |
 //! |---|---|
+//! | [`shape`] | how many samples a window has |
 //! | [`window`] | the named windows: which samples a block is integrated from |
 //! | [`fit`] | the polynomial through a window's samples |
 //! | [`least_squares`] | a line or a parabola through more samples than coefficients |
@@ -23,6 +24,8 @@ pub mod intervals;
 pub mod least_squares;
 pub mod newton;
 pub mod series;
+pub mod shape;
 pub mod support;
 pub mod unequal;
+#[macro_use]
 pub mod window;

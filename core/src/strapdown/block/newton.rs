@@ -7,8 +7,9 @@
 //! least is estimated as in `support`, for gyros and accelerometers each, and then, with the differences of a
 //! long enough stream, for each axis among those up to that: a cone has its second harmonic on its third axis.
 
-use super::fit::{Fit, MOST_SAMPLES, Shape};
+use super::fit::{Fit, MOST_SAMPLES};
 use super::gain::by_history;
+use super::shape::WindowShape;
 use super::support::Differences;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
@@ -199,7 +200,7 @@ pub fn fit<R: Real>(
 /// that follow the window, and `before` that precede it, help to judge it.
 pub fn at_edge<R: Real>(
     samples: &[Increment<R>],
-    (history, block, lookahead): Shape,
+    WindowShape { history, block, lookahead }: WindowShape,
     begin: usize,
 ) -> (Fit<R, MOST_SAMPLES>, Used<R>) {
     let mut differences = Differences::new();

@@ -8,9 +8,9 @@
 
 use super::fit::MOST_SAMPLES;
 use super::gain::gain_squared;
+use super::shape::WindowShape;
 use crate::math::real::Real;
 use crate::sample::Increment;
-use crate::strapdown::block::fit::Shape;
 
 /// Differences of order 0 to 14 of a stream of samples, and their powers: of gyros and accelerometers
 /// each over its three axes.
@@ -106,9 +106,12 @@ impl<R: Real> Differences<R> {
     /// Estimated mean square of the error of the rate that a window fits, per sample: of gyros (rad²) and
     /// of accelerometers (m²/s²), three axes together; `None` if the samples are no more than the
     /// window's, or the window is none of at most [`MOST_SAMPLES`].
-    pub fn error_squared(&self, (history, block, lookahead): Shape) -> Option<[R; 2]> {
+    pub fn error_squared(
+        &self,
+        WindowShape { history, block, lookahead }: WindowShape,
+    ) -> Option<[R; 2]> {
         let power = self.power(history + block + lookahead)?;
-        let gain = R::of(gain_squared((history, block, lookahead)));
+        let gain = R::of(gain_squared(WindowShape { history, block, lookahead }));
         (block > 0).then(|| power.map(|power| power * gain))
     }
 }

@@ -23,13 +23,13 @@ impl<W: Window> Window for Unequal<W> {
     const COEFFICIENTS: usize = W::COEFFICIENTS;
     const TERMS: usize = W::TERMS;
     const UNEQUAL: bool = true;
-    type Samples<T: Copy> = W::Samples<T>;
+    type Samples<T: Copy + Send> = W::Samples<T>;
     type Series<R: Real> = W::Series<R>;
     type Intervals<R: Real> = W::KeptIntervals<R>;
     type KeptIntervals<R: Real> = W::KeptIntervals<R>;
 
     #[inline]
-    fn samples<T: Copy>(fill: T) -> Self::Samples<T> {
+    fn samples<T: Copy + Send>(fill: T) -> Self::Samples<T> {
         W::samples(fill)
     }
 

@@ -9,12 +9,12 @@ use super::alike;
 use super::behind;
 use super::body::{BodyMotion, Sum, integrate};
 use super::fit::LINE_LAST_SAMPLES;
-pub use super::fit::Shape;
 use super::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
 use super::inside::BlockSeries;
 use super::least_squares::least_squares;
 use super::newton::Used;
 use super::series::Series;
+use super::shape::WindowShape;
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::strapdown::block::intervals::{Intervals, Kept, Nominal};
@@ -26,7 +26,7 @@ const FIRST_SAMPLES: usize = 14;
 pub type Behind<R, S> = (BodyMotion<R>, S, Used<R>);
 
 /// A shape of window with its fit, its series and its storage.
-pub trait Window: Copy + Default + 'static {
+pub trait Window: Copy + Default + Send + 'static {
     /// Samples before the block.
     const HISTORY: usize;
     /// Samples integrated at once.
@@ -34,7 +34,7 @@ pub trait Window: Copy + Default + 'static {
     /// Samples after the block.
     const LOOKAHEAD: usize;
     /// All three.
-    const SHAPE: Shape = (Self::HISTORY, Self::BLOCK, Self::LOOKAHEAD);
+    const SHAPE: WindowShape = WindowShape::new(Self::HISTORY, Self::BLOCK, Self::LOOKAHEAD);
     /// Samples of all three.
     const SAMPLES: usize = Self::HISTORY + Self::BLOCK + Self::LOOKAHEAD;
     /// Samples before the window that are looked at where they are there.
@@ -47,7 +47,7 @@ pub trait Window: Copy + Default + 'static {
     const TERMS: usize;
 
     /// Room for the samples that a block, or the end of a stream, can need.
-    type Samples<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]>;
+    type Samples<T: Copy + Send>: Copy + Send + AsRef<[T]> + AsMut<[T]>;
     /// The series of a block.
     type Series<R: Real>: BlockSeries<R>;
     /// Whether samples may differ in length.
@@ -58,7 +58,7 @@ pub trait Window: Copy + Default + 'static {
     type KeptIntervals<R: Real>: Intervals<R>;
 
     /// The room, filled.
-    fn samples<T: Copy>(fill: T) -> Self::Samples<T>;
+    fn samples<T: Copy + Send>(fill: T) -> Self::Samples<T>;
 
     /// Integrates the block within the window that ends the samples by a series up to σ^`order`; `None` if
     /// the samples are too few. With `two_float` the motion comes with what rounding drops from it.
@@ -131,7 +131,7 @@ macro_rules! supported {
 }
 
 macro_rules! windows {
-    ($d:tt $($(#[$doc:meta])* $name:ident = $h:literal, $b:literal, $a:literal, $fit:ident $k:literal, $m:literal;)+) => {
+    ($d:tt $($(#[$doc:meta])* $name:ident = $h:literal, $b:literal, $a:literal, $fit:ident $k:literal, $m:literal, $($of:ident)*;)+) => {
         $(
             $(#[$doc])*
             #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -145,13 +145,13 @@ macro_rules! windows {
                 const BESIDE: usize = beside!($fit, $b);
                 const COEFFICIENTS: usize = $k;
                 const TERMS: usize = $m;
-                type Samples<T: Copy> = [T; capacity($h, $b, $a, beside!($fit, $b))];
+                type Samples<T: Copy + Send> = [T; capacity($h, $b, $a, beside!($fit, $b))];
                 type Series<R: Real> = Series<R, { $m + 1 }>;
                 type Intervals<R: Real> = Nominal;
                 type KeptIntervals<R: Real> = Kept<R, [R; capacity($h, $b, $a, beside!($fit, $b))]>;
 
                 #[inline]
-                fn samples<T: Copy>(fill: T) -> Self::Samples<T> {
+                fn samples<T: Copy + Send>(fill: T) -> Self::Samples<T> {
                     [fill; capacity($h, $b, $a, beside!($fit, $b))]
                 }
 
@@ -189,7 +189,7 @@ macro_rules! windows {
         )+
 
         /// The shape of every named window.
-        pub const NAMED: &[Shape] = &[$($name::SHAPE),+];
+        pub const NAMED: &[WindowShape] = &[$($name::SHAPE),+];
 
         /// Calls a macro with the name of every window, behind what it is to be given first:
         /// `every_window!(list! [frame])` is `list!([frame] H0B2A0, H0B3A0, …)`.
@@ -197,6 +197,48 @@ macro_rules! windows {
         macro_rules! every_window {
             ($d each:ident! $d($d first:tt)*) => { $d each! { $d($d first)* $($name),+ } };
         }
+
+        /// The same for the windows of a use, as the table below has it:
+        /// `windows_of!(lanes list! [frame])` is `list!([frame] H0B4A0, H2B4A2, …)`.
+        #[macro_export]
+        macro_rules! windows_of {
+            ($d of:ident $d each:ident! $d($d first:tt)*) => {
+                $crate::pick_windows! { $d of $d each! [$d($d first)*] [] $($name [$($of)*])+ }
+            };
+        }
+    };
+}
+
+/// Gathers the windows whose list of uses has one: a list is searched from its front.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! pick_windows {
+    ($of:ident $each:ident! [$($first:tt)*] [$($taken:ident)*]) => {
+        $each! { $($first)* $($taken),* }
+    };
+    (two_float $each:ident! $first:tt [$($taken:ident)*] $name:ident [two_float $($other:ident)*] $($rest:tt)*) => {
+        $crate::pick_windows! { two_float $each! $first [$($taken)* $name] $($rest)* }
+    };
+    (target $each:ident! $first:tt [$($taken:ident)*] $name:ident [target $($other:ident)*] $($rest:tt)*) => {
+        $crate::pick_windows! { target $each! $first [$($taken)* $name] $($rest)* }
+    };
+    (audited $each:ident! $first:tt [$($taken:ident)*] $name:ident [audited $($other:ident)*] $($rest:tt)*) => {
+        $crate::pick_windows! { audited $each! $first [$($taken)* $name] $($rest)* }
+    };
+    (audited_level $each:ident! $first:tt [$($taken:ident)*] $name:ident [audited_level $($other:ident)*] $($rest:tt)*) => {
+        $crate::pick_windows! { audited_level $each! $first [$($taken)* $name] $($rest)* }
+    };
+    (lanes $each:ident! $first:tt [$($taken:ident)*] $name:ident [lanes $($other:ident)*] $($rest:tt)*) => {
+        $crate::pick_windows! { lanes $each! $first [$($taken)* $name] $($rest)* }
+    };
+    (compared $each:ident! $first:tt [$($taken:ident)*] $name:ident [compared $($other:ident)*] $($rest:tt)*) => {
+        $crate::pick_windows! { compared $each! $first [$($taken)* $name] $($rest)* }
+    };
+    ($of:ident $each:ident! $first:tt $taken:tt $name:ident [$other:ident $($others:ident)*] $($rest:tt)*) => {
+        $crate::pick_windows! { $of $each! $first $taken $name [$($others)*] $($rest)* }
+    };
+    ($of:ident $each:ident! $first:tt $taken:tt $name:ident [] $($rest:tt)*) => {
+        $crate::pick_windows! { $of $each! $first $taken $($rest)* }
     };
 }
 
@@ -208,33 +250,36 @@ const fn capacity(h: usize, b: usize, a: usize, beside: usize) -> usize {
 }
 
 windows! { $
-    // name       H  B  A  fit and its coefficients, terms
+    // Who has a window beside the host's navigators in f32 and f64, which have all: those in two-float products,
+    // targets over the link, audits (in local-level axes alone), runs abreast in lanes, comparisons of
+    // arithmetics.
+    // name       H  B  A  fit and its coefficients, terms, who has it
     /// Two samples, no delay beyond the block.
-    H0B2A0 = 0, 2, 0, through 2, 6;
+    H0B2A0 = 0, 2, 0, through 2, 6,;
     /// Three samples.
-    H0B3A0 = 0, 3, 0, through 3, 8;
+    H0B3A0 = 0, 3, 0, through 3, 8,;
     /// Four samples: cheap, for motion that is slow against the sampling; the microcontroller's.
-    H0B4A0 = 0, 4, 0, through 4, 10;
+    H0B4A0 = 0, 4, 0, through 4, 10, two_float target audited lanes compared;
     /// Six samples.
-    H0B6A0 = 0, 6, 0, through 6, 14;
+    H0B6A0 = 0, 6, 0, through 6, 14,;
     /// Two of history: output every two samples without look-ahead.
-    H2B2A0 = 2, 2, 0, behind 4, 10;
+    H2B2A0 = 2, 2, 0, behind 4, 10,;
     /// Six samples about a block of two.
-    H2B2A2 = 2, 2, 2, through 6, 14;
+    H2B2A2 = 2, 2, 2, through 6, 14,;
     /// Six samples without look-ahead.
-    H2B4A0 = 2, 4, 0, behind 6, 14;
+    H2B4A0 = 2, 4, 0, behind 6, 14,;
     /// Eight samples without look-ahead: the most accurate that does not delay.
-    H4B4A0 = 4, 4, 0, behind 8, 18;
+    H4B4A0 = 4, 4, 0, behind 8, 18, two_float;
     /// Eight samples about the block, two of delay: for hard motion.
-    H2B4A2 = 2, 4, 2, alike 8, 22;
+    H2B4A2 = 2, 4, 2, alike 8, 22, two_float target audited lanes compared;
     /// Twelve samples about the block: for vibration at a low rate.
-    H4B4A4 = 4, 4, 4, alike 12, 26;
+    H4B4A4 = 4, 4, 4, alike 12, 26, two_float lanes;
     /// A straight line over eight samples: slow motion at a fraction of the cost.
-    Line8 = 0, 8, 0, near 2, 4;
+    Line8 = 0, 8, 0, near 2, 4, lanes compared;
     /// A parabola over twelve samples.
-    Parabola12 = 0, 12, 0, near 3, 6;
+    Parabola12 = 0, 12, 0, near 3, 6,;
     /// A parabola over twenty samples.
-    Parabola20 = 0, 20, 0, near 3, 6;
+    Parabola20 = 0, 20, 0, near 3, 6, audited_level lanes;
     /// A parabola over forty samples: the cheapest.
-    Parabola40 = 0, 40, 0, near 3, 6;
+    Parabola40 = 0, 40, 0, near 3, 6,;
 }

@@ -29,7 +29,7 @@ use crate::strapdown::limits::Rejected;
 use crate::strapdown::plausible::Plausible;
 
 /// A navigation frame's state, with the step that carries it over a block.
-pub trait Frame: Copy + Plausible {
+pub trait Frame: Copy + Send + Plausible {
     /// The scalar it computes in.
     type Real: Real;
     /// What it prints: its own coordinates, converted only when asked.

@@ -8,10 +8,11 @@ use super::{State, Strapdown};
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::strapdown::block::body::{self, BodyMotion, Sum};
+use crate::strapdown::block::fit::LINE_LAST_SAMPLES;
 use crate::strapdown::block::fit::{Fit, MOST_SAMPLES};
-use crate::strapdown::block::fit::{LINE_LAST_SAMPLES, Shape};
 use crate::strapdown::block::newton::{self, Used};
 use crate::strapdown::block::series::Series;
+use crate::strapdown::block::shape::WindowShape;
 use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::block_time::BlockTime;
@@ -45,7 +46,7 @@ pub(crate) fn step<F: Frame>(
 #[inline(never)]
 fn fit<R: Real>(
     samples: &[Increment<R>],
-    shape: Shape,
+    shape: WindowShape,
     begin: usize,
 ) -> (Fit<R, MOST_SAMPLES>, Used<R>) {
     newton::at_edge(samples, shape, begin)
@@ -65,7 +66,12 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     ) {
         if !self.is_nominal(state, history, all) {
             let lookahead = all.saturating_sub(history + block);
-            return self.unequal_block(state, (history, block, lookahead), true, read);
+            return self.unequal_block(
+                state,
+                WindowShape { history, block, lookahead },
+                true,
+                read,
+            );
         }
         let past = state.filled.saturating_sub(state.pending);
         let begin = past.saturating_sub(history);
@@ -74,7 +80,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let own = stored.get(past..past + block).unwrap_or(&[]);
         let lookahead = all.saturating_sub(history + block);
         let time = BlockTime::new(self.interval, block);
-        let (fit, used) = fit(stored, (history, block, lookahead), begin);
+        let (fit, used) = fit(stored, WindowShape { history, block, lookahead }, begin);
         let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::plain(own) };
         if state.integrated == 0 && W::HISTORY > 0 {
             state.edges.first = used;

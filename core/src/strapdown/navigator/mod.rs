@@ -99,7 +99,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         })
     }
 
-    /// With a series of the order that [`plan::order`](crate::strapdown::plan::order) finds enough, at most the
+    /// With a series of the order that [`plan::order`](crate::flight::plan::order) finds enough, at most the
     /// window's own.
     pub fn with_order(self, order: usize) -> Self {
         Self { order: order.clamp(1, W::TERMS), ..self }

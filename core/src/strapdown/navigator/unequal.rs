@@ -10,6 +10,7 @@ use crate::strapdown::block::body::{self, BodyMotion, Sum};
 use crate::strapdown::block::fit::{Fit, MOST_SAMPLES};
 use crate::strapdown::block::intervals::Intervals as _;
 use crate::strapdown::block::series::Series;
+use crate::strapdown::block::shape::WindowShape;
 use crate::strapdown::block::unequal::Unequal;
 use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
@@ -87,7 +88,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     pub(crate) fn unequal_block(
         &self,
         state: &mut State<F, W>,
-        (history, block, lookahead): (usize, usize, usize),
+        WindowShape { history, block, lookahead }: WindowShape,
         edge: bool,
         read: &mut impl Read<F>,
     ) {

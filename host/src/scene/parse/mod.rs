@@ -4,7 +4,7 @@ mod sensors;
 mod trajectory;
 
 use super::{
-    Algorithm, Frame, Gap, InitialError, Link, Navigator, Precision, Scene, Vertical, WindowShape,
+    Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Vertical, WindowShape,
     limits,
 };
 use crate::flight::Nine;
@@ -87,7 +87,7 @@ fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {
         section.get(key).map_or(Ok(default), |value| value.choice(names))
     }
     Ok(Navigator {
-        frame: choice(&section, "frame", Frame::NAMES, default.frame)?,
+        frame: choice(&section, "frame", Axes::NAMES, default.frame)?,
         precision: choice(&section, "precision", Precision::NAMES, default.precision)?,
         algorithm: choice(&section, "algorithm", Algorithm::NAMES, default.algorithm)?,
         window: section.get("window").map_or(Ok(None), |value| window(&value))?,

@@ -12,7 +12,7 @@ use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
-use schuler::strapdown::plan::Digits;
+use schuler::flight::plan::Digits;
 use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler::trajectory::Trajectory as _;
 use schuler_firmware::board::{self, Counter, entry, stack::Painted};

@@ -28,7 +28,7 @@ use body::Compensated;
 use core::marker::PhantomData;
 
 /// A textbook frame: its state and the step over one sample.
-pub trait TextbookFrame: Copy + Plausible {
+pub trait TextbookFrame: Copy + Send + Plausible {
     /// The scalar it computes in.
     type Real: Real;
     /// What it prints.

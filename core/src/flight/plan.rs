@@ -6,26 +6,15 @@
 //! series leaves of it, and a local-level block by the distance that it flies. Where the truth is at hand, as
 //! in a simulation, trial flights choose better.
 
-pub use crate::strapdown::block::fit::Shape;
+use super::configuration::{Axes, Precision};
+use crate::strapdown::block::shape::WindowShape;
 use crate::strapdown::block::window::{H0B2A0, H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window};
 use crate::strapdown::limits::MOST_TURN;
-
-/// The digits that a navigator computes with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Digits {
-    /// Double precision.
-    Double,
-    /// Single precision: what is rounded counts more than what is truncated.
-    Single,
-    /// Single precision with two-float products where they count.
-    TwoFloat,
-}
 
 /// What a window is planned for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Flight {
+pub struct Demand {
     /// The motion's bandwidth, rad/s.
     pub bandwidth: f64,
     /// What it turns by at most, rad/s.
@@ -35,46 +24,57 @@ pub struct Flight {
     /// Seconds between samples.
     pub interval_s: f64,
     /// How many digits the navigator has.
-    pub digits: Digits,
-    /// Whether it computes in Earth-fixed axes, whose step stays exact for longer blocks.
-    pub earth_fixed: bool,
+    pub precision: Precision,
+    /// Its axes: an Earth-fixed step stays exact for longer blocks.
+    pub axes: Axes,
 }
 
 /// A window with the largest x = Λh and the longest block, s, that it is planned for.
-struct Candidate(Shape, f64, f64);
+struct Candidate(WindowShape, f64, f64);
 
 /// In double precision, the cheapest first: gravity's third difference is the last that counts in blocks
 /// of up to two seconds at rest, of one second in motion.
-const EARTH_FIXED: &[Candidate] =
-    &[Candidate((0, 40, 0), 0.0, 2.0), Candidate((0, 20, 0), 1.3e-4, 1.0), LINE, FOUR, TWO];
-const LOCAL_LEVEL: &[Candidate] = &[Candidate((0, 20, 0), 0.0, 2.0), LINE, FOUR, TWO];
+const EARTH_FIXED: &[Candidate] = &[
+    Candidate(WindowShape::new(0, 40, 0), 0.0, 2.0),
+    Candidate(WindowShape::new(0, 20, 0), 1.3e-4, 1.0),
+    LINE,
+    FOUR,
+    TWO,
+];
+const LOCAL_LEVEL: &[Candidate] =
+    &[Candidate(WindowShape::new(0, 20, 0), 0.0, 2.0), LINE, FOUR, TWO];
 /// In single precision a long block rounds more at once, always the same way where nothing changes.
-const SINGLE: &[Candidate] =
-    &[Candidate((0, 4, 0), 0.0, 2.0), Candidate((0, 12, 0), 2e-4, 1.0), FOUR];
+const SINGLE: &[Candidate] = &[
+    Candidate(WindowShape::new(0, 4, 0), 0.0, 2.0),
+    Candidate(WindowShape::new(0, 12, 0), 2e-4, 1.0),
+    FOUR,
+];
 const TWO_FLOAT: &[Candidate] = &[];
 /// In any precision, where none of those suits.
-const LONG: [Candidate; 2] =
-    [Candidate((0, 4, 0), 0.03, f64::INFINITY), Candidate(UNKNOWN, 0.4, f64::INFINITY)];
+const LONG: [Candidate; 2] = [
+    Candidate(WindowShape::new(0, 4, 0), 0.03, f64::INFINITY),
+    Candidate(UNKNOWN, 0.4, f64::INFINITY),
+];
 
-const LINE: Candidate = Candidate((0, 8, 0), 2e-4, 2.0);
-const FOUR: Candidate = Candidate((0, 4, 0), 0.03, 2.0);
-const TWO: Candidate = Candidate((0, 2, 0), 2e-4, f64::INFINITY);
+const LINE: Candidate = Candidate(WindowShape::new(0, 8, 0), 2e-4, 2.0);
+const FOUR: Candidate = Candidate(WindowShape::new(0, 4, 0), 0.03, 2.0);
+const TWO: Candidate = Candidate(WindowShape::new(0, 2, 0), 2e-4, f64::INFINITY);
 /// Twelve samples: for the rest.
-const WIDEST: Shape = (4, 4, 4);
+const WIDEST: WindowShape = WindowShape::new(4, 4, 4);
 /// Six samples about a block of two: for spins that a block of four turns too far on.
-const SHORTEST: Shape = (2, 2, 2);
+const SHORTEST: WindowShape = WindowShape::new(2, 2, 2);
 
 /// What the series may leave of a block's turn about its own axis: a tenth of its rounding, as the rest
 /// of a steady spin adds up.
 const SPIN_REST: f64 = 1e-17;
 
 /// Whether blocks of a window turn no further than its series is made for, in so many digits.
-fn turns_within(flight: &Flight, (_, block, _): Shape, terms: usize) -> bool {
+fn turns_within(demand: &Demand, WindowShape { block, .. }: WindowShape, terms: usize) -> bool {
     // A navigator refuses more than 2 rad; order m leaves 2x^{m+1}/(m + 1)! of a spin, x the half block.
-    let turn = block as f64 * flight.interval_s * flight.angular_rate;
+    let turn = block as f64 * demand.interval_s * demand.angular_rate;
     let x = 0.5 * turn;
     let rest = (1..=terms).fold(x, |rest, m| rest * x / (m + 1) as f64);
-    let digits = if flight.digits == Digits::Double { 1.0 } else { 1e6 };
+    let digits = if demand.precision == Precision::F64 { 1.0 } else { 1e6 };
     turn <= MOST_TURN && rest + rest <= SPIN_REST * digits * turn
 }
 
@@ -84,37 +84,40 @@ fn turns_within(flight: &Flight, (_, block, _): Shape, terms: usize) -> bool {
 const LONGEST_WAY: f64 = 500.0;
 
 /// Whether a block of a window is short enough for its nav step; there is none of fewer than two samples.
-fn steps_within(flight: &Flight, (_, block, _): Shape) -> bool {
-    let way = block as f64 * flight.interval_s * flight.speed;
-    flight.earth_fixed || flight.digits != Digits::Double || block <= 2 || way <= LONGEST_WAY
+fn steps_within(demand: &Demand, WindowShape { block, .. }: WindowShape) -> bool {
+    let way = block as f64 * demand.interval_s * demand.speed;
+    demand.axes == Axes::EarthFixed
+        || demand.precision != Precision::F64
+        || block <= 2
+        || way <= LONGEST_WAY
 }
 
 /// The window for a flight: among those whose blocks a navigator takes.
-pub fn window(flight: &Flight) -> Shape {
-    let candidates: &[Candidate] = match (flight.digits, flight.earth_fixed) {
-        (Digits::Double, true) => EARTH_FIXED,
-        (Digits::Double, false) => LOCAL_LEVEL,
-        (Digits::Single, _) => SINGLE,
-        (Digits::TwoFloat, _) => TWO_FLOAT,
+pub fn window(demand: &Demand) -> WindowShape {
+    let candidates: &[Candidate] = match (demand.precision, demand.axes) {
+        (Precision::F64, Axes::EarthFixed) => EARTH_FIXED,
+        (Precision::F64, Axes::LocalLevel) => LOCAL_LEVEL,
+        (Precision::F32, _) => SINGLE,
+        (Precision::F32x2, _) => TWO_FLOAT,
     };
-    let x = flight.bandwidth * flight.interval_s;
+    let x = demand.bandwidth * demand.interval_s;
     let suits = |&&Candidate(shape, most, longest_s): &&Candidate| {
         x <= most
-            && shape.1 as f64 * flight.interval_s <= longest_s
-            && turns_within(flight, shape, terms(shape))
+            && shape.block as f64 * demand.interval_s <= longest_s
+            && turns_within(demand, shape, terms(shape))
     };
     // On a spin that no series follows the longest serves best, and a block of two is taken longest.
     let fastest = || {
         let [wide, narrow] = [WIDEST, SHORTEST];
-        let turn = wide.1 as f64 * flight.interval_s * flight.angular_rate;
-        if turn <= MOST_TURN || flight.digits == Digits::TwoFloat { wide } else { narrow }
+        let turn = wide.block as f64 * demand.interval_s * demand.angular_rate;
+        if turn <= MOST_TURN || demand.precision == Precision::F32x2 { wide } else { narrow }
     };
-    let stepped = candidates.iter().filter(|&&Candidate(shape, ..)| steps_within(flight, shape));
+    let stepped = candidates.iter().filter(|&&Candidate(shape, ..)| steps_within(demand, shape));
     stepped.chain(&LONG).find(suits).map_or_else(fastest, |&Candidate(shape, ..)| shape)
 }
 
 /// The order of a planned window's series at most.
-fn terms((history, block, lookahead): Shape) -> usize {
+fn terms(WindowShape { history, block, lookahead }: WindowShape) -> usize {
     match (history + lookahead, block) {
         (0, 2) => H0B2A0::TERMS,
         (0, 4) => H0B4A0::TERMS,
@@ -126,23 +129,24 @@ fn terms((history, block, lookahead): Shape) -> usize {
 }
 
 /// The window for a motion of which nothing is known.
-pub const UNKNOWN: Shape = (2, 4, 2);
+pub const UNKNOWN: WindowShape = WindowShape::new(2, 4, 2);
 
 /// An order that no window's series exceeds.
 pub const HIGHEST_ORDER: usize = 26;
 
 /// The order of a block's series that reaches the rounding floor, at most: a window may have fewer terms.
-pub fn order(flight: &Flight, (history, block, lookahead): Shape) -> usize {
+pub fn order(demand: &Demand, WindowShape { history, block, lookahead }: WindowShape) -> usize {
     // Of constant force, turned by w over half the block, order 3 leaves out 2w⁴/5!. Of a force that
     // changes, the products that an order m leaves out turn by w what is no more than xᵐ/(m + 1)! of it,
     // x the phase of the fastest motion.
-    let half_s = 0.5 * block as f64 * flight.interval_s;
-    let w = half_s * flight.angular_rate;
-    let x = w.max(half_s * flight.bandwidth);
+    let half_s = 0.5 * block as f64 * demand.interval_s;
+    let w = half_s * demand.angular_rate;
+    let x = w.max(half_s * demand.bandwidth);
     let rest = |order: usize| (1..=order).fold(w, |rest, m| rest * x / (m + 1) as f64);
-    let digits = if flight.digits == Digits::Single { 1e6 } else { 1.0 };
+    let digits = if demand.precision == Precision::F32 { 1e6 } else { 1.0 };
     // The products with the fit's last coefficient are the last that count, unless motion is violent.
-    let whole = if history == 0 && block >= LINE.0.1 { 4 } else { history + block + lookahead + 1 };
+    let whole =
+        if history == 0 && block >= LINE.0.block { 4 } else { history + block + lookahead + 1 };
     if w * w * w * w / 60.0 <= 3e-16 * digits && rest(3) <= 3e-14 * digits {
         3
     } else if rest(whole) <= 1e-10 {

@@ -1,0 +1,130 @@
+//! A mechanization with its state and the digest of all its states: what flies, wherever it does.
+
+use super::catalogue::Entry;
+use crate::digest::Digest;
+use crate::math::compensated::Pair;
+use crate::record::Record;
+use crate::sample::Increment;
+use crate::solution::Solution;
+use crate::strapdown::limits::{Rejected, StartError};
+use crate::strapdown::mechanization::Mechanization;
+use crate::strapdown::plausible::Damaged;
+
+/// A mechanization in flight.
+///
+/// The digest takes in the frame whenever a sample completed a block, and once more at the end: whoever
+/// flies the same samples has the same digest. What goes on from sample to sample, state and digest, is
+/// its [`Record`]; a flight that was written back is to be [checked](Flight::check) first.
+#[derive(Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Flight<M: Mechanization> {
+    mechanization: M,
+    state: M::State,
+    digest: Digest,
+}
+
+impl<M: Entry> Flight<M> {
+    /// For samples of an interval in seconds, with a series of at most this order.
+    pub fn start(
+        interval_s: Pair<M::Real>,
+        order: usize,
+        initial: &Solution<M::Real>,
+    ) -> Result<Self, StartError> {
+        Self::new(M::configured(interval_s, order)?, initial)
+    }
+}
+
+impl<M: Mechanization<Frame: Record>> Flight<M> {
+    /// From an initial solution.
+    pub fn new(mechanization: M, initial: &Solution<M::Real>) -> Result<Self, StartError> {
+        let state = mechanization.start(initial)?;
+        Ok(Self { mechanization, state, digest: Digest::default() })
+    }
+
+    /// Takes a sample.
+    pub fn push(&mut self, sample: Increment<M::Real>) -> Result<(), Rejected> {
+        self.push_by(sample, &mut M::push)
+    }
+
+    /// Takes a sample by a function: [`Mechanization::push`] or one that reads rows.
+    #[inline]
+    pub fn push_by<E>(
+        &mut self,
+        sample: Increment<M::Real>,
+        push: &mut impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        step(&self.mechanization, &mut self.state, &mut self.digest, sample, push)
+    }
+
+    /// The stream is at its end: what waits for samples is integrated, by a function that may read rows.
+    pub fn finish_by(&mut self, finish: impl FnOnce(&M, &mut M::State)) {
+        finish(&self.mechanization, &mut self.state);
+        self.digest.add(M::frame(&self.state));
+    }
+
+    /// Sets height (m) and vertical velocity (down, m/s).
+    pub fn hold_vertical(&mut self, altitude: M::Real, down: M::Real) -> Result<(), Rejected> {
+        self.mechanization.hold_vertical(&mut self.state, altitude, down)
+    }
+
+    /// Whether what was written back over it can be a flight's: before anything else is done with it.
+    pub fn check(&self) -> Result<(), Damaged> {
+        self.mechanization.check(&self.state)?;
+        if self.digest.is_plausible() { Ok(()) } else { Err(Damaged) }
+    }
+
+    /// Mechanization and state, to be flown past the digest.
+    pub fn parts_mut(&mut self) -> (&M, &mut M::State) {
+        (&self.mechanization, &mut self.state)
+    }
+
+    /// What it flies with.
+    pub fn mechanization(&self) -> &M {
+        &self.mechanization
+    }
+
+    /// What goes on from sample to sample.
+    pub fn state(&self) -> &M::State {
+        &self.state
+    }
+
+    /// Samples that lie behind the solution.
+    pub fn integrated(&self) -> u64 {
+        M::integrated(&self.state)
+    }
+
+    /// Digest of every state so far.
+    pub fn digest(&self) -> u64 {
+        self.digest.value()
+    }
+
+    /// Navigation at the end of the last block.
+    pub fn output(&self) -> M::Output {
+        self.mechanization.output(&self.state)
+    }
+}
+
+/// One sample through the navigator: never inlined, so that an image has it once.
+#[inline(never)]
+fn step<M: Mechanization<Frame: Record>, E>(
+    mechanization: &M,
+    state: &mut M::State,
+    digest: &mut Digest,
+    sample: Increment<M::Real>,
+    push: &mut impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), E>,
+) -> Result<(), E> {
+    let before = M::integrated(state);
+    push(mechanization, state, sample)?;
+    if M::integrated(state) != before {
+        digest.add(M::frame(state));
+    }
+    Ok(())
+}
+
+/// The configuration is not part of it.
+impl<M: Mechanization<State: Record>> Record for Flight<M> {
+    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
+        self.state.record(name, visit);
+        self.digest.record("digest", visit);
+    }
+}

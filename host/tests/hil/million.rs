@@ -1,6 +1,6 @@
 //! A million frames, one in a hundred of them hit.
 
-use crate::manner;
+use super::manner;
 use schuler::link::configuration::{Axes, Configuration, Method};
 use schuler::link::fleet::Single;
 use schuler::link::gap::Policy;

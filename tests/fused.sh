@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Looks for fused multiply-adds in the audit program's images: they round once where a product and a sum
 # round twice, so that a single one could give other bits.
-#   tests/fused.sh FOLDER    the images that `schuler audit matrix` built
+#   tests/fused.sh FOLDER    the images that tests/matrix.sh built
 set -euo pipefail
 
 # Arm and x86 vfma… vfms… vfnm…, AArch64 fmadd fmla…, PowerPC fmadd fnmsub…, PowerPC's vectors

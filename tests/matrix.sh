@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
 # The audit program on every target of this machine: the same bits, and no fused multiply-add in any of its
 # images. Installs what is missing where it can; with CI set, nothing may be missing.
-#   tests/matrix.sh [OPTION …]    options of `schuler audit matrix`
+#   tests/matrix.sh [OPTION …]    options of tests/src/bin/matrix: --help lists them
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/target.sh
 
-schuler=${SCHULER:-cargo run --quiet --release --locked --}
 packages=()
 has() { command -v "$1" >/dev/null; }
 has qemu-system-arm || packages+=(qemu-system-arm)
@@ -21,7 +20,7 @@ if [ ${#packages[@]} -gt 0 ] && has apt-get && [ "$(id -u)" = 0 ]; then
         apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null || true
 fi
 
-$schuler audit matrix ${CI:+--require-all} "$@"
+cargo run --quiet --locked --package schuler-tests --bin matrix -- ${CI:+--require-all} "$@"
 tests/fused.sh "${CARGO_TARGET_DIR:-target}/audit/images" || {
     if [ $? != 2 ] || [ -n "${CI:-}" ]; then exit 1; fi
     echo "skipped: instructions are not looked at"

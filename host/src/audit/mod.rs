@@ -11,7 +11,6 @@
 //! | `pair` | two chains side by side |
 //! | `difference` | two values of a word |
 //! | `compare` | where two chains part |
-//! | `matrix` | the audit program on every target |
 //! | `sensitivity` | what one unit in the last place does |
 //! | `show` | all that as tables |
 //! | `page` | and as HTML and JSON |
@@ -22,8 +21,7 @@ pub mod configuration;
 pub mod difference;
 pub mod golden;
 mod label;
-pub mod matrix;
-mod page;
+pub mod page;
 pub mod pair;
 mod provenance;
 mod read;
@@ -31,7 +29,7 @@ pub mod record;
 pub mod sensitivity;
 mod show;
 
-use crate::cli::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+use crate::cli::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 use crate::input::{Complaint, InputError};
 use crate::output::{self, say};
 use crate::scene::{self, builtin};
@@ -48,7 +46,6 @@ pub fn audit(command: &AuditCommand) -> Result<(), FlightError> {
         AuditCommand::Verify(args) => verify(args),
         AuditCommand::Compare(args) => compare(args),
         AuditCommand::Sensitivity(args) => sensitivity(args),
-        AuditCommand::Matrix(args) => matrix(args),
     }
 }
 
@@ -176,19 +173,4 @@ fn sensitivity(args: &SensitivityArgs) -> Result<(), FlightError> {
         page::write(folder, &title, &tables, &effects)?;
     }
     Ok(())
-}
-
-fn matrix(args: &MatrixArgs) -> Result<(), FlightError> {
-    // Nobody listening any more shows when the table is printed.
-    let matrix = matrix::matrix(args, &|row| drop(say(&matrix::ended(row))))?;
-    let tables = matrix::tables(&matrix);
-    say(&tables.iter().map(page::Table::text).collect::<String>())?;
-    if let Some(folder) = &args.out {
-        page::write(folder, "The same bits on every target", &tables, &matrix)?;
-    }
-    let checks = matrix.rows.len() + usize::from(args.require_all);
-    match matrix.failed(args.require_all) {
-        0 => Ok(()),
-        failed => Err(FlightError::Failed { failed, checks }),
-    }
 }

@@ -17,8 +17,6 @@ pub enum AuditCommand {
     Compare(CompareArgs),
     /// What does one unit in the last place of each input do to the outputs?
     Sensitivity(SensitivityArgs),
-    /// Build and run the audit program on every target of this machine: the same bits?
-    Matrix(MatrixArgs),
 }
 
 /// Options of `audit record`.
@@ -98,30 +96,4 @@ impl SensitivityArgs {
     pub fn scene(&self) -> Result<Scene, InputError> {
         load(self.scene.as_deref(), &self.flight, &self.navigator)
     }
-}
-
-/// Options of `audit matrix`.
-#[derive(Args, Clone, Debug, Default, PartialEq)]
-#[command(
-    after_help = "Example:\n  schuler audit matrix --target thumbv7em-none-eabihf --target wasm32-unknown-unknown"
-)]
-pub struct MatrixArgs {
-    /// The project's folder [default: the nearest one above that holds tests/audit]
-    #[arg(long, value_name = "DIR")]
-    pub source: Option<PathBuf>,
-    /// Golden chains to compare with [default: tests/golden of the project]
-    #[arg(long, value_name = "DIR")]
-    pub golden: Option<PathBuf>,
-    /// Only these targets, beside the first; may be repeated [default: all]
-    #[arg(long, value_name = "NAME")]
-    pub target: Vec<String>,
-    /// Not optimised, every target but the first
-    #[arg(long)]
-    pub debug: bool,
-    /// Folder for audit.json and audit.html
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Fail where a tool is missing, instead of skipping its targets
-    #[arg(long)]
-    pub require_all: bool,
 }

@@ -6,7 +6,7 @@ mod hil;
 mod options;
 mod start;
 
-pub use audit::{AuditCommand, CompareArgs, MatrixArgs, RecordArgs, SensitivityArgs, VerifyArgs};
+pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use every::{Every, Sieve};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, NavigatorOptions, Window};

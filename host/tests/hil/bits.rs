@@ -1,6 +1,6 @@
 //! What a target flies is what `run` flies, whatever happens on the line.
 
-use crate::{fly, manner, scene};
+use super::{fly, manner, scene};
 use schuler::link::fleet::{Every, Single};
 use schuler_host::hil::Manner;
 use schuler_host::hil::in_process::InProcess;

@@ -1,6 +1,6 @@
 //! Devices at the end of a line: a TCP connection, and a serial port that is a pseudo-terminal.
 
-use crate::{fly, scene};
+use super::{fly, scene};
 use schuler::link::fleet::Every;
 use schuler::link::target::Target;
 use schuler_host::hil::Manner;

@@ -1,6 +1,6 @@
 //! A target that is one bit off is found out: which sample, which field, which values.
 
-use crate::{fly, scene};
+use super::{fly, scene};
 use schuler::flight::configuration::{Axes, Configuration, Method};
 use schuler::flight::plan::Digits;
 use schuler::link::decoder::Decoder;

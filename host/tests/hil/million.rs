@@ -1,6 +1,6 @@
 //! A million frames, one in a hundred of them hit.
 
-use crate::manner;
+use super::manner;
 use schuler::flight::configuration::{Axes, Configuration, Method};
 use schuler::flight::plan::Digits;
 use schuler::link::fleet::Single;

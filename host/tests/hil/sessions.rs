@@ -1,6 +1,6 @@
 //! What lies before a conversation, and what comes in its place.
 
-use crate::{fly, manner, scene};
+use super::{fly, manner, scene};
 use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Every;
 use schuler::link::frame::{Header, MOST_ENCODED, encode};

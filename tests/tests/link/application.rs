@@ -1,8 +1,8 @@
 //! The target's application: what it flies is what a navigator flies without a link.
 
-use crate::damaged::words_of;
-use crate::line::{Flown, Line, noticed};
-use crate::session::{answers, frame, increments, initial, said, scalars, start};
+use super::damaged::words_of;
+use super::line::{Flown, Line, noticed};
+use super::session::{answers, frame, increments, initial, said, scalars, start};
 use schuler::digest::Digest;
 use schuler::flight::carried::Carried;
 use schuler::flight::configuration::Linked;

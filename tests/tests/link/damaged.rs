@@ -1,7 +1,7 @@
 //! States that were damaged before they came back over the link.
 
-use crate::line::Line;
-use crate::session::frame;
+use super::line::Line;
+use super::session::frame;
 use schuler::link::bytes::Bytes;
 use schuler::link::fleet::Fleet;
 use schuler::link::gap::Policy;

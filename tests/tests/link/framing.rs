@@ -1,7 +1,7 @@
 //! Every byte of a recorded session changed, dropped, and joined by others: at most one frame is lost,
 //! and what is accepted was sent.
 
-use crate::session::{frame, increments, initial, said, start};
+use super::session::{frame, increments, initial, said, start};
 use schuler::link::bytes::Bytes;
 use schuler::link::counters::Dropped;
 use schuler::link::decoder::Decoder;

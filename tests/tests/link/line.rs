@@ -1,6 +1,6 @@
 //! A target that flies, with a host that tells it frame after frame.
 
-use crate::session::{answers, frame, increments, initial, said, start};
+use super::session::{answers, frame, increments, initial, said, start};
 use schuler::link::bytes::Bytes;
 use schuler::link::counters::Counters;
 use schuler::link::fleet::Every;

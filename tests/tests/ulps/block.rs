@@ -4,8 +4,8 @@
 //! differ: here by Lagrange's formula, there by the window's table; here with thirty terms about the
 //! block's start, there with eight to fourteen about its centre.
 
-use crate::big::{Big, big, largest};
-use crate::{Precision, Worst, ulp};
+use super::big::{Big, big, largest};
+use super::{Precision, Worst, ulp};
 use schuler::math::quaternion::Quaternion;
 use schuler::math::real::Scalar;
 use schuler::math::vector::Vector;

@@ -1,7 +1,7 @@
 //! The Earth: gravity, radii, coordinates, gravitation with its latitude, the meridian's step.
 
-use crate::big::{Big, big, largest};
-use crate::{Precision, Worst, ulp};
+use super::big::{Big, big, largest};
+use super::{Precision, Worst, ulp};
 use schuler::earth::{self, Geodetic, Radii};
 use schuler::math::real::Scalar;
 use schuler::math::vector::Vector;

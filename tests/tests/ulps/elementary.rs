@@ -1,7 +1,7 @@
 //! Functions of a number, and two-float arithmetic.
 
-use crate::big::{Big, big};
-use crate::{Precision, Worst, ulp};
+use super::big::{Big, big};
+use super::{Precision, Worst, ulp};
 use schuler::math::compensated::{Pair, two_product, two_sum};
 use schuler::math::real::Scalar;
 use schuler_tests::Numbers;

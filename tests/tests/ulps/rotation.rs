@@ -1,7 +1,7 @@
 //! Quaternions: products, rotations, angles; errors in ulps of the result's length.
 
-use crate::big::{Big, big, largest};
-use crate::{Precision, Worst, ulp};
+use super::big::{Big, big, largest};
+use super::{Precision, Worst, ulp};
 use schuler::math::quaternion::Quaternion;
 use schuler::math::real::Scalar;
 use schuler::math::vector::Vector;

@@ -1,7 +1,7 @@
 //! The matrix as tables.
 
-use super::{Matrix, Row, Verdict};
-use crate::audit::page::Table;
+use super::verdict::{Flight, Matrix, Row, Verdict};
+use schuler_host::audit::page::Table;
 
 /// A row that has ended, in a line.
 pub fn ended(row: &Row) -> String {
@@ -30,7 +30,7 @@ pub fn tables(matrix: &Matrix) -> Vec<Table> {
     let title = format!("{} digests of the first row", matrix.flights.len());
     let mut flights = Table::new(&title, &["flight", "stage", "samples", "digest"]);
     for flight in &matrix.flights {
-        let super::Flight { flight, stage, samples, digest } = flight.clone();
+        let Flight { flight, stage, samples, digest } = flight.clone();
         flights.rows.push(vec![flight, stage, samples, digest]);
     }
     vec![targets, flights]

@@ -2,7 +2,7 @@
 
 use super::golden::Golden;
 use super::output::Output;
-use super::{Flight, Matrix, Row, Verdict};
+use super::verdict::{Flight, Matrix, Row, Verdict};
 
 /// Compares every row with the first and with what is stored.
 pub fn judged(flown: Vec<(Row, Option<Output>)>, stored: &Golden) -> Matrix {

@@ -1,125 +1,21 @@
-//! `schuler audit matrix`: the audit program on every target of this machine, all to the same bits.
-//!
-//! | file | what |
-//! |---|---|
-//! | `target` | the rows: what is built how, and what runs it |
-//! | `tools` | what this machine has |
-//! | `build` | building and running |
-//! | `output` | the digests that are printed |
-//! | `golden` | the digests that are stored |
-//! | `judge` | the rows compared |
-//! | `show` | the table |
+//! Every target built and run, two at a time.
 
-mod build;
-mod golden;
-mod judge;
-mod output;
-mod show;
-mod target;
-mod tools;
-
-use crate::cli::MatrixArgs;
-use crate::input::{Complaint, InputError};
-use build::Place;
-use golden::Golden;
-use output::Output;
-use serde::Serialize;
+use super::arguments::MatrixArgs;
+use super::build::Place;
+use super::golden::Golden;
+use super::judge;
+use super::output::Output;
+use super::target::{TARGETS, Target};
+use super::tools::{self, Machine};
+use super::verdict::{Matrix, Row, Verdict};
+use schuler_host::input::{Complaint, InputError};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::Instant;
-use target::{TARGETS, Target};
-use tools::Machine;
-
-pub use show::{ended, tables};
 
 /// Folders that cargo builds in, one target after the other in each: a target is always built in the same,
 /// with what others left there.
 const LANES: usize = 2;
-
-/// The whole table.
-#[derive(Clone, Debug, Serialize)]
-pub struct Matrix {
-    /// A row for each target.
-    pub rows: Vec<Row>,
-    /// The digests at the end of every stage, as the first row has them.
-    pub flights: Vec<Flight>,
-    /// How many digests the first row printed.
-    pub digests: usize,
-    /// How many of them are golden.
-    pub golden: usize,
-}
-
-/// One target.
-#[derive(Clone, Debug, Serialize)]
-pub struct Row {
-    /// Its name.
-    pub target: &'static str,
-    /// The compiler's name of it.
-    pub triple: String,
-    /// The compiler.
-    pub compiler: String,
-    /// How it was built.
-    pub flags: String,
-    /// What ran it.
-    pub runner: String,
-    /// How long building and running took, s.
-    pub time_s: f64,
-    /// One digest over everything that it printed.
-    pub digest: Option<String>,
-    /// What it came to; absent until it is compared.
-    pub verdict: Option<Verdict>,
-}
-
-/// What a row came to.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Verdict {
-    /// It is what the others are compared with.
-    First,
-    /// The same bits as the first row's.
-    Equal,
-    /// The first place at which it parts from the first row.
-    Parts(String),
-    /// The first place at which it parts from the golden chains.
-    PartsFromGolden(String),
-    /// What went wrong when it was built or run.
-    Failed(String),
-    /// What this machine lacks for it.
-    Missing(String),
-}
-
-/// The digest of a stage at its end.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Flight {
-    /// Scene and configuration, or scene and stage.
-    pub flight: String,
-    /// The stage.
-    pub stage: String,
-    /// Its samples.
-    pub samples: String,
-    /// The digest.
-    pub digest: String,
-}
-
-impl Matrix {
-    /// Rows that keep the promise.
-    pub fn equal(&self) -> usize {
-        let kept = |row: &&Row| matches!(row.verdict, Some(Verdict::First | Verdict::Equal));
-        self.rows.iter().filter(kept).count()
-    }
-
-    /// Rows that break it, or that could not be had though they were required; digests that are not
-    /// golden, where all is required, count as one more.
-    pub fn failed(&self, require_all: bool) -> usize {
-        let failed = |row: &&Row| match row.verdict {
-            Some(Verdict::First | Verdict::Equal) => false,
-            Some(Verdict::Missing(_)) => require_all,
-            _ => true,
-        };
-        let lacks_golden = require_all && self.golden != self.digests;
-        self.rows.iter().filter(failed).count() + usize::from(lacks_golden)
-    }
-}
 
 /// Builds and runs the audit program on every target; `done` hears of each row as it ends.
 pub fn matrix(args: &MatrixArgs, done: &(dyn Fn(&Row) + Sync)) -> Result<Matrix, InputError> {
@@ -133,7 +29,7 @@ pub fn matrix(args: &MatrixArgs, done: &(dyn Fn(&Row) + Sync)) -> Result<Matrix,
     let stored = Golden::read(&stored)?;
     let machine = Machine::look().ok_or_else(|| {
         let complaint = Complaint::new("there is no rustc and cargo", "https://rustup.rs");
-        InputError::option("audit matrix", complaint)
+        InputError::option("matrix", complaint)
     })?;
     let builds = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
     let place = Place {

@@ -1,10 +1,9 @@
-//! `schuler audit matrix`: what it refuses. The matrix itself is run by tests/matrix.sh.
+//! The matrix of targets: what it refuses. The matrix itself is run by tests/matrix.sh.
 
 use std::process::Command;
 
 fn refused(arguments: &[&str]) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_schuler"))
-        .args(["audit", "matrix"])
+    let output = Command::new(env!("CARGO_BIN_EXE_matrix"))
         .args(arguments)
         .output()
         .expect("the program runs");

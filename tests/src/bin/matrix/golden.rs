@@ -1,9 +1,9 @@
 //! The golden chains' digests, as the audit program has to print them.
 
 use super::output::Output;
-use crate::audit::chain::Chain;
-use crate::audit::golden;
-use crate::input::InputError;
+use schuler_host::audit::chain::Chain;
+use schuler_host::audit::golden;
+use schuler_host::input::InputError;
 use std::collections::HashMap;
 use std::path::Path;
 

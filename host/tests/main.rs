@@ -1,0 +1,26 @@
+//! Every integration test of the program, in one program: it is linked once.
+//!
+//! | module | what |
+//! |---|---|
+//! | `command_line`, `exit_codes` | options, and how the program ends |
+//! | `left_behind` | what is left of a run that is stopped or cannot go on |
+//! | `scene` | what scenes may say |
+//! | `recording`, `rest` | what recordings may say, and what contradicts itself |
+//! | `audit` | chains, recorded and compared |
+//! | `ensemble` | many runs |
+//! | `frontier` | run time against error |
+//! | `hil` | a target and its twin |
+//! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
+
+mod audit;
+mod command_line;
+mod ensemble;
+mod exit_codes;
+mod frontier;
+mod hil;
+mod left_behind;
+mod recording;
+mod rest;
+mod scene;
+mod stochastic;
+mod stress;

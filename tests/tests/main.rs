@@ -1,0 +1,39 @@
+//! Every integration test of the workspace, in one program: it is linked once.
+//!
+//! | module | what |
+//! |---|---|
+//! | `foundation` | arithmetic, the Earth, motion, the perfect unit, alignment |
+//! | `ulps` | every kernel against high precision |
+//! | `sensor_…` | error terms, their noise and their parameters |
+//! | `strapdown` | mechanizations, their windows and their states |
+//! | `steps`, `plan`, `runge_kutta` | what steps leave out, what the plan chooses, the yardstick |
+//! | `drift`, `error_dynamics` | solution less truth, and its linear model |
+//! | `theory`, `theory_…`, `ensemble` | what theory expects, and how runs scatter |
+//! | `lanes` | runs abreast |
+//! | `link` | frames, and the application at their end |
+//! | `matrix` | what the matrix of targets refuses |
+//! | `figures`, `speed` | the README's figures, and what the benchmarks fly |
+
+mod drift;
+mod ensemble;
+mod error_dynamics;
+mod figures;
+mod foundation;
+mod lanes;
+mod link;
+mod matrix;
+mod plan;
+mod runge_kutta;
+mod sensor_allan;
+mod sensor_emulator;
+mod sensor_gauss_markov;
+mod sensor_models;
+mod sensor_noise;
+mod sensor_parameters;
+mod speed;
+mod steps;
+mod strapdown;
+mod theory;
+mod theory_motion;
+mod theory_sources;
+mod ulps;

@@ -2,7 +2,7 @@
 
 use schuler_host::audit::chain::Chain;
 use schuler_host::audit::compare::compare;
-use schuler_host::audit::configuration::ALL;
+use schuler_host::audit::configuration::all;
 use schuler_host::audit::record::{Cadence, record};
 use schuler_host::audit::{golden, sensitivity};
 use schuler_host::scene::{Precision, builtin};
@@ -26,7 +26,7 @@ fn printed(output: &Output) -> String {
 fn this_build_has_the_golden_bits() {
     let verdicts = golden::verify(golden_folder(), &mut |_| Ok(())).unwrap();
     // Two scenes: three stages that all share, and every navigator.
-    assert_eq!(verdicts.len(), 2 * (3 + ALL.len()));
+    assert_eq!(verdicts.len(), 2 * (3 + all().len()));
     for verdict in verdicts {
         assert_eq!(verdict.parting, None, "{}", verdict.chain);
     }
@@ -75,7 +75,7 @@ fn another_seed_parts_at_the_first_sample_of_the_noise() {
     let chains = |seed| {
         let mut scene = scene.clone();
         scene.seed = seed;
-        record(&scene, &ALL[..1], cadence, "").unwrap()
+        record(&scene, &all()[..1], cadence, "").unwrap()
     };
     let (one, other) = (chains(1), chains(2));
     let parting = |stem: &str| {
@@ -96,7 +96,7 @@ fn another_seed_parts_at_the_first_sample_of_the_noise() {
 fn rows_left_out_change_no_digest() {
     let mut scene = builtin::scene("hard").unwrap();
     scene.duration_s = 1.0;
-    let chains = |rows| record(&scene, ALL, Cadence { checkpoint: 16, rows }, "").unwrap();
+    let chains = |rows| record(&scene, &all(), Cadence { checkpoint: 16, rows }, "").unwrap();
     let mut left_out = 0;
     for ((name, all), (_, few)) in chains(u64::MAX).iter().zip(&chains(10)) {
         let (held, parting) = compare(all, few, "").unwrap();

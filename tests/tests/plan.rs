@@ -2,8 +2,9 @@
 //!
 //! `schuler stress --case random` flies many more scenes.
 
-use schuler::flight::plan::{self, Digits, Flight, Shape};
-use schuler_host::scene::{Axes, Scene, builtin, parse};
+use schuler::flight::configuration::Precision;
+use schuler::flight::plan::{self, Demand};
+use schuler_host::scene::{Axes, Scene, WindowShape, builtin, parse};
 use schuler_host::simulate;
 
 fn scene(text: &str, frame: Axes) -> Scene {
@@ -18,8 +19,12 @@ fn position_m(scene: &Scene, force_all: bool) -> f64 {
 }
 
 /// Windows of each kind.
-const NAMED: [Shape; 8] =
-    [(0, 40, 0), (0, 8, 0), (0, 6, 0), (0, 2, 0), (2, 4, 2), (4, 4, 4), (2, 2, 2), (4, 4, 0)];
+const NAMED: [[usize; 3]; 8] =
+    [[0, 40, 0], [0, 8, 0], [0, 6, 0], [0, 2, 0], [2, 4, 2], [4, 4, 4], [2, 2, 2], [4, 4, 0]];
+
+fn shape([history, block, lookahead]: [usize; 3]) -> WindowShape {
+    WindowShape { history, block, lookahead }
+}
 
 const TURNS: &str = "duration_s = 2000\nrate_hz = 50\n[trajectory]\nlatitude_deg = 45\n\
     roll_deg = { harmonics = [{ amplitude = 40, period_s = 16, phase_deg = 30 }] }\n";
@@ -41,7 +46,7 @@ fn swings_and_spins_fly_with_the_window_they_need() {
 #[test]
 fn a_refused_turn_names_what_would_do() {
     let mut scene = scene(SPIN, Axes::LocalLevel);
-    scene.navigator.window = Some(schuler::flight::plan::UNKNOWN.into());
+    scene.navigator.window = Some(schuler::flight::plan::UNKNOWN);
     let error = simulate::fly(&scene, false, &mut |_| Ok(()), &|_| {}).unwrap_err().to_string();
     assert!(error.contains("turns a block of 4 samples by over 2 rad"), "{error}");
     assert!(error.contains("(--window 2,2,2)") && error.contains("a rate of 70 Hz"), "{error}");
@@ -104,7 +109,7 @@ fn no_named_window_is_three_times_better() {
         let scene = parse::scene("plan.toml", text).unwrap();
         let best_m = NAMED.iter().fold(f64::INFINITY, |best: f64, &window| {
             let mut other = scene.clone();
-            other.navigator.window = Some(window.into());
+            other.navigator.window = Some(shape(window));
             let flight = simulate::fly(&other, false, &mut |_| Ok(()), &|_| {});
             flight.map_or(best, |flight| best.min(flight.max.norms[0]))
         });
@@ -129,32 +134,32 @@ fn the_papers_flight_stays_below_its_rounding() {
 /// On a target: no planned block turns by over 2 rad, and a spin gets a series that follows it.
 #[test]
 fn the_cores_plan_keeps_to_blocks_that_a_navigator_takes() {
-    let of = |rate_deg_s: f64, interval_s: f64| Flight {
+    let of = |rate_deg_s: f64, interval_s: f64| Demand {
         bandwidth: rate_deg_s.to_radians(),
         angular_rate: rate_deg_s.to_radians(),
         speed: 0.0,
         interval_s,
-        digits: Digits::Double,
-        earth_fixed: true,
+        precision: Precision::F64,
+        axes: Axes::EarthFixed,
     };
-    assert_eq!(plan::window(&of(2000.0, 1.0 / 60.0)), (2, 2, 2));
-    assert_eq!(plan::window(&of(1000.0, 0.01)), (2, 4, 2));
+    assert_eq!(plan::window(&of(2000.0, 1.0 / 60.0)), shape([2, 2, 2]));
+    assert_eq!(plan::window(&of(1000.0, 0.01)), shape([2, 4, 2]));
 }
 
 /// On a target: a local-level block flies half a kilometre at most, or is of two samples. A meridian flight at
 /// 7.2 km/s and 10 Hz is 1.5e-7 m off after 1000 s in blocks of eight, 4e-9 m in blocks of two.
 #[test]
 fn the_cores_plan_counts_the_way_of_a_local_level_block() {
-    let of = |speed: f64, interval_s: f64, earth_fixed: bool| Flight {
+    let of = |speed: f64, interval_s: f64, axes: Axes| Demand {
         bandwidth: speed / 6.4e6,
         angular_rate: speed / 6.4e6,
         speed,
         interval_s,
-        digits: Digits::Double,
-        earth_fixed,
+        precision: Precision::F64,
+        axes,
     };
-    assert_eq!(plan::window(&of(300.0, 0.2, false)), (0, 8, 0));
-    assert_eq!(plan::window(&of(300.0, 0.25, false)), (0, 4, 0));
-    assert_eq!(plan::window(&of(7200.0, 0.1, false)), (0, 2, 0));
-    assert_eq!(plan::window(&of(300.0, 0.25, true)), (0, 8, 0));
+    assert_eq!(plan::window(&of(300.0, 0.2, Axes::LocalLevel)), shape([0, 8, 0]));
+    assert_eq!(plan::window(&of(300.0, 0.25, Axes::LocalLevel)), shape([0, 4, 0]));
+    assert_eq!(plan::window(&of(7200.0, 0.1, Axes::LocalLevel)), shape([0, 2, 0]));
+    assert_eq!(plan::window(&of(300.0, 0.25, Axes::EarthFixed)), shape([0, 8, 0]));
 }

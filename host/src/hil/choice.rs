@@ -35,11 +35,12 @@ pub fn choose(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::{Algorithm, Precision};
     use schuler::link::fleet::{Every, Fleet, Single};
 
     fn offers<F: Fleet>() -> Vec<Configuration> {
         let mut offers = Vec::new();
-        F::offers(|offer| offers.push(offer));
+        F::offers(&mut |offer| offers.push(offer));
         offers
     }
 
@@ -51,17 +52,17 @@ mod tests {
     fn a_plan_keeps_to_what_is_offered() {
         let navigator = Navigator::default();
         let chosen = |planned| choose(&navigator, planned, &offers::<Every>()).unwrap().window;
-        assert_eq!(chosen(shape(0, 40, 0)), [0, 4, 0]);
-        assert_eq!(chosen(shape(4, 4, 4)), [2, 4, 2]);
-        assert_eq!(chosen(shape(2, 4, 2)), [2, 4, 2]);
+        assert_eq!(chosen(shape(0, 40, 0)), shape(0, 4, 0));
+        assert_eq!(chosen(shape(4, 4, 4)), shape(2, 4, 2));
+        assert_eq!(chosen(shape(2, 4, 2)), shape(2, 4, 2));
     }
 
     #[test]
     fn what_is_not_offered_is_refused_with_what_is() {
         let named = Navigator { window: Some(shape(0, 8, 0)), ..Navigator::default() };
         let error = choose(&named, shape(0, 4, 0), &offers::<Every>()).unwrap_err().to_string();
-        let begin = "navigator: the target does not fly f64 taylor 0,8,0 local-level; accepted: \
-                     f64 taylor 0,4,0 local-level; f64 taylor 2,4,2 local-level; ";
+        let begin = "navigator: the target does not fly f64 local-level taylor 0,8,0; accepted: \
+                     f64 local-level taylor 0,4,0; f64 local-level taylor 2,4,2; ";
         assert!(error.starts_with(begin), "{error}");
         let double = choose(&Navigator::default(), shape(0, 4, 0), &offers::<Single>());
         assert!(double.unwrap_err().to_string().contains("does not fly f64"));
@@ -71,6 +72,6 @@ mod tests {
             ..Navigator::default()
         };
         let chosen = choose(&textbook, shape(0, 4, 0), &offers::<Single>()).unwrap();
-        assert_eq!((chosen.method, window(&chosen)), (Method::Textbook, None));
+        assert_eq!((chosen.algorithm, chosen.window()), (Algorithm::Textbook, None));
     }
 }

@@ -1,8 +1,7 @@
 //! A target that is one bit off is found out: which sample, which field, which values.
 
 use super::{fly, scene};
-use schuler::flight::configuration::{Axes, Configuration, Method};
-use schuler::flight::plan::Digits;
+use schuler::flight::configuration::{Algorithm, Axes, Configuration, Precision};
 use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Every;
 use schuler::link::frame::{MOST_ENCODED, encode};
@@ -14,7 +13,6 @@ use schuler_host::hil::channel::{Broken, Channel};
 use schuler_host::hil::difference::first;
 use schuler_host::hil::in_process::InProcess;
 use schuler_host::hil::reply::Standing;
-use schuler_host::scene::Precision;
 use schuler_host::simulate::FlightError;
 use std::time::Duration;
 
@@ -110,8 +108,12 @@ fn what_is_no_scalar_has_its_name_too() {
 
 /// What a difference in a solution is called: one field changed in one of two.
 fn named<S: Record + Clone>(axes: Axes, zero: &S, change: impl FnOnce(&mut S)) -> String {
-    let configuration =
-        Configuration { digits: Digits::Double, axes, method: Method::Textbook, window: [0, 1, 0] };
+    let configuration = Configuration {
+        precision: Precision::F64,
+        axes,
+        algorithm: Algorithm::Textbook,
+        window: Configuration::ONE_SAMPLE,
+    };
     let standing = |mut solution: S| {
         let mut bytes = Vec::new();
         solution.record("", &mut |_, bits| {

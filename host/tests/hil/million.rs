@@ -1,8 +1,7 @@
 //! A million frames, one in a hundred of them hit.
 
 use super::manner;
-use schuler::flight::configuration::{Axes, Configuration, Method};
-use schuler::flight::plan::Digits;
+use schuler::flight::configuration::{Algorithm, Axes, Configuration, Precision};
 use schuler::link::fleet::Single;
 use schuler::link::gap::Policy;
 use schuler::math::compensated::Pair;
@@ -15,7 +14,7 @@ use schuler_host::hil::injector::Injector;
 use schuler_host::hil::lockstep::{Lockstep, Log, Parts};
 use schuler_host::hil::twin::{Beginning, Twin};
 use schuler_host::navigator;
-use schuler_host::scene::{Algorithm, Navigator, Precision, WindowShape};
+use schuler_host::scene::{Navigator, WindowShape};
 use schuler_host::simulate::Vehicle;
 
 const FRAMES: u64 = 1_000_000;
@@ -39,10 +38,10 @@ fn of_a_million_frames_nothing_wrong_is_accepted_and_nothing_right_is_lost() {
         ),
     );
     let configuration = Configuration {
-        digits: Digits::Single,
+        precision: Precision::F32,
         axes: Axes::LocalLevel,
-        method: Method::Textbook,
-        window: [0, 1, 0],
+        algorithm: Algorithm::Textbook,
+        window: Configuration::ONE_SAMPLE,
     };
     let beginning = Beginning::new(configuration, 8, Policy::Refuse, interval_s, &initial);
     let twin = Twin::start(&beginning).unwrap();

@@ -4,6 +4,7 @@ use super::scattered;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler_host::recording::measure::{CANDIDATES, Measure, Motion};
+use schuler_host::scene::WindowShape;
 use std::f64::consts::TAU;
 
 /// A cone of so many samples per cycle, with noise of a part of its size.
@@ -54,12 +55,12 @@ fn what_does_not_move_or_only_trembles_is_told() {
         noise.add(&Increment { angle_b, velocity_b: Vector::ZERO });
     }
     noise.cut();
-    assert_eq!((noise.motion(), noise.window()), (Motion::Noise, Some((2, 4, 2))));
+    assert_eq!((noise.motion(), noise.window()), (Motion::Noise, Some(WindowShape::new(2, 4, 2))));
     assert_eq!(Measure::default().window(), None);
 }
 
 #[test]
 fn resolved_motion_is_worth_a_long_window() {
-    assert_eq!(cone(8.0, 0.0).window(), Some((4, 4, 4)));
+    assert_eq!(cone(8.0, 0.0).window(), Some(WindowShape::new(4, 4, 4)));
     assert!(CANDIDATES.contains(&cone(2.5, 0.0).window().expect("there is one")));
 }

@@ -21,7 +21,7 @@ fn what_is_left_out_has_its_default() {
     assert_eq!(scene.initial_error, InitialError::default());
     assert_eq!(scene.link, Link::default());
     let navigator = Navigator {
-        frame: Frame::LocalLevel,
+        frame: Axes::LocalLevel,
         precision: Precision::F64,
         algorithm: Algorithm::Taylor,
         window: None,
@@ -143,7 +143,7 @@ fn navigator_and_link() {
         vertical = \"held\"\ngap = \"bridge\"\n[link]\nloss = 0.25\njitter_s = 1e-4\n";
     let scene = scene(text).expect("valid");
     let navigator = Navigator {
-        frame: Frame::EarthFixed,
+        frame: Axes::EarthFixed,
         precision: Precision::F32,
         algorithm: Algorithm::Taylor,
         window: Some(WindowShape { history: 2, block: 4, lookahead: 2 }),

@@ -1,11 +1,11 @@
 //! A flight's whole chain as a text that `schuler audit` reads.
 
-use crate::configuration::{self, Configuration};
-use crate::lines::name_byte;
+use crate::configuration;
 use crate::recording::{EVERY, Reader, Words};
 use crate::scene::{MOST_SAMPLES, SCENES, SEED, Scene};
 use crate::truth::{self, Refused};
 use schuler::digest::Checkpoint;
+use schuler::flight::configuration::{Configuration, Precision};
 use schuler::sample::Increment;
 use std::fmt::Write;
 
@@ -13,12 +13,16 @@ use std::fmt::Write;
 pub fn of(flight: &str) -> Option<Result<String, Refused>> {
     let (scene, rest) = flight.split_once('/')?;
     let scene = SCENES.iter().find(|s| s.name == scene)?;
-    let named = |c: &&Configuration| c.title.bytes().map(name_byte).eq(rest.bytes());
-    let configuration = configuration::ALL.iter().find(named);
+    let mut configuration = None;
+    configuration::each(|one| {
+        if one.to_string().replace([' ', ','], "-") == rest {
+            configuration = Some(*one);
+        }
+    });
     if configuration.is_none() && !["trajectory", "increments", "noise"].contains(&rest) {
         return None;
     }
-    Some(fly(scene, configuration, rest))
+    Some(fly(scene, configuration.as_ref(), rest))
 }
 
 fn fly(
@@ -30,9 +34,9 @@ fn fly(
     let mut chain = ChainFile { only: Some(stage), ..ChainFile::default() };
     let flown = truth::fly(scene, &mut samples, &mut chain)?;
     if let Some(configuration) = configuration {
-        let is_double = configuration.title.starts_with("f64");
-        chain = ChainFile { is_single: !is_double, ..ChainFile::default() };
-        (configuration.fly)(&flown, &mut chain)?;
+        let is_single = configuration.precision != Precision::F64;
+        chain = ChainFile { is_single, ..ChainFile::default() };
+        configuration::fly(configuration, &flown, &mut chain)?;
     }
     Ok(chain.text(scene, configuration))
 }
@@ -63,8 +67,8 @@ impl ChainFile<'_> {
             "schuler chain 1\nscene: {}\nduration_s: {}\nrate_hz: {}\nseed: {SEED}\n",
             scene.name, scene.duration_s, scene.rate_hz
         );
-        if let Some(Configuration { title, .. }) = configuration {
-            text += &format!("configuration: {title}\n");
+        if let Some(configuration) = configuration {
+            text += &format!("configuration: {configuration}\n");
         }
         text += &format!("checkpoint: {EVERY}\nrows: {}\n", scene.samples());
         let width = if self.is_single { "f32" } else { "f64" };

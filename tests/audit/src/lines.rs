@@ -2,14 +2,16 @@
 
 use crate::platform;
 use crate::recording::Reader;
+use core::fmt::{self, Write};
 use schuler::digest::Checkpoint;
+use schuler::flight::configuration::Configuration;
 
 /// Prints `paper/f32-local-level-textbook nav 64 0123456789abcdef`, and `=1200` at the end.
 pub struct Lines {
     /// The scene's name.
     pub scene: &'static str,
     /// The configuration, unless it is a stage that all of them share.
-    pub title: Option<&'static str>,
+    pub configuration: Option<Configuration>,
 }
 
 impl Lines {
@@ -17,7 +19,11 @@ impl Lines {
         let mut line = Line { bytes: [0; 96], length: 0 };
         line.text(self.scene);
         line.byte(b'/');
-        line.name(self.title.unwrap_or(stage));
+        // A line takes everything.
+        let _ = match self.configuration {
+            Some(configuration) => write!(Name(&mut line), "{configuration}"),
+            None => write!(Name(&mut line), "{stage}"),
+        };
         line.byte(b' ');
         line.text(stage);
         line.byte(b' ');
@@ -60,11 +66,6 @@ impl Line {
         text.bytes().for_each(|byte| self.byte(byte));
     }
 
-    /// A configuration's title as a name: `f32-local-level-taylor-0-4-0`.
-    fn name(&mut self, title: &str) {
-        title.bytes().map(name_byte).for_each(|byte| self.byte(byte));
-    }
-
     fn decimal(&mut self, number: u64) {
         if number >= 10 {
             self.decimal(number / 10);
@@ -79,7 +80,17 @@ impl Line {
     }
 }
 
-/// A byte of a title as it is in a name.
-pub fn name_byte(byte: u8) -> u8 {
+/// Writes a configuration as a name: `f32-local-level-taylor-0-4-0`.
+struct Name<'a>(&'a mut Line);
+
+impl Write for Name<'_> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        text.bytes().map(name_byte).for_each(|byte| self.0.byte(byte));
+        Ok(())
+    }
+}
+
+/// A byte of a configuration's words as it is in a name.
+fn name_byte(byte: u8) -> u8 {
     if matches!(byte, b' ' | b',') { b'-' } else { byte }
 }

@@ -29,12 +29,14 @@ fn main() -> std::process::ExitCode {
 fn digests() -> Result<(), Refused> {
     let mut samples = [Increment::ZERO; MOST_SAMPLES];
     for scene in &SCENES {
-        let mut lines = Lines { scene: scene.name, title: None };
+        let mut lines = Lines { scene: scene.name, configuration: None };
         let flown = truth::fly(scene, &mut samples, &mut lines)?;
-        for configuration in &configuration::ALL {
-            lines.title = Some(configuration.title);
-            (configuration.fly)(&flown, &mut lines)?;
-        }
+        let mut refused = Ok(());
+        configuration::each(|configuration| {
+            lines.configuration = Some(*configuration);
+            refused = refused.and_then(|()| configuration::fly(configuration, &flown, &mut lines));
+        });
+        refused?;
     }
     Ok(())
 }

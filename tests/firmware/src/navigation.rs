@@ -15,26 +15,27 @@ use schuler::solution::Output as _;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;
-use schuler::flight::plan::{self, Digits};
+use schuler::flight::configuration::{Axes, Precision};
+use schuler::flight::plan;
 use schuler::strapdown::block::window::Window;
 use schuler::trajectory::Bound;
 
 /// The navigator for the paper's flight, its series of the order that the host plans.
 pub fn planned<F: Frame<Real: Scalar>, W: Window>(
-    digits: Digits,
+    precision: Precision,
     bound: Bound<f64>,
 ) -> Result<Strapdown<F, W>, StartError> {
     let interval_s = Pair::new(RATE_HZ).reciprocal();
-    let flight = plan::Flight {
+    let demand = plan::Demand {
         bandwidth: bound.bandwidth,
         angular_rate: bound.angular_rate,
         // No order depends on it.
         speed: 0.0,
         interval_s: 1.0 / RATE_HZ,
-        digits,
-        earth_fixed: false,
+        precision,
+        axes: Axes::LocalLevel,
     };
-    let order = plan::order(&flight, (W::HISTORY, W::BLOCK, W::LOOKAHEAD));
+    let order = plan::order(&demand, W::SHAPE);
     Ok(Strapdown::new(Pair::narrow(interval_s))?.with_order(order))
 }
 

@@ -4,6 +4,7 @@ use crate::flight::{Course, Flight, Hard, Manoeuvre, Paper};
 use crate::paper::{self, Sensors};
 use schuler::digest::Digest;
 use schuler::flight::carried::Carried;
+use schuler::flight::configuration::{Axes, Precision};
 use schuler::flight::plan;
 use schuler::imu::Quadrature;
 use schuler::math::compensated::{Pair, TwoFloat};
@@ -125,16 +126,16 @@ impl<F: Frame<Real: Scalar>, W: Window> Navigation<Strapdown<F, W>> {
         let motion = Perfect::new::<C>();
         let interval_s = Pair::new(C::RATE_HZ).reciprocal();
         let bound = motion.course.bound();
-        let flight = plan::Flight {
+        let demand = plan::Demand {
             bandwidth: bound.bandwidth,
             angular_rate: bound.angular_rate,
             // No order depends on it.
             speed: 0.0,
             interval_s: interval_s.hi,
-            digits: plan::Digits::Double,
-            earth_fixed: true,
+            precision: Precision::F64,
+            axes: Axes::EarthFixed,
         };
-        let order = plan::order(&flight, W::SHAPE);
+        let order = plan::order(&demand, W::SHAPE);
         let strapdown = Strapdown::new(Pair::narrow(interval_s)).unwrap();
         Self::new(&motion, strapdown.with_order(order))
     }

@@ -5,7 +5,7 @@ use super::line::{Flown, Line, noticed};
 use super::session::{answers, frame, increments, initial, said, scalars, start};
 use schuler::digest::Digest;
 use schuler::flight::carried::Carried;
-use schuler::flight::configuration::Linked;
+use schuler::flight::catalogue::Entry;
 use schuler::link::bytes::Bytes;
 use schuler::link::counters::Counters;
 use schuler::link::fleet::Every;
@@ -26,7 +26,7 @@ use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 use schuler_tests::Course;
 
 /// A whole flight through the target, every solution and digest against the mechanization itself.
-fn flies_the_same_bits<M: Linked>() {
+fn flies_the_same_bits<M: Entry>() {
     let course = Course::new("manoeuvre", 1.0, 0.5);
     let interval_s = Pair::<M::Real>::narrow(course.interval_s);
     let mechanization = M::configured(interval_s, 20).unwrap();

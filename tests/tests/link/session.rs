@@ -1,7 +1,7 @@
 //! A host as simple as can be, and what it says to a target.
 
 use schuler::flight::carried::Carried;
-use schuler::flight::configuration::Linked;
+use schuler::flight::catalogue::Entry;
 use schuler::link::bytes::Bytes;
 use schuler::link::decoder::Decoder;
 use schuler::link::fleet::Fleet;
@@ -59,7 +59,7 @@ pub fn increments<R: Scalar + Record>(course: &Course) -> Vec<Vec<u8>> {
 }
 
 /// What the start of a mechanization carries.
-pub fn initial<M: Linked>(course: &Course) -> Vec<u8> {
+pub fn initial<M: Entry>(course: &Course) -> Vec<u8> {
     let interval_s = Pair::<M::Real>::narrow(course.interval_s);
     let mut bytes = scalars::<M::Real>(interval_s);
     bytes.extend(scalars::<M::Real>(Solution::<M::Real>::narrow(&course.initial())));
@@ -67,7 +67,7 @@ pub fn initial<M: Linked>(course: &Course) -> Vec<u8> {
 }
 
 /// The request that starts a mechanization.
-pub fn start<M: Linked>(initial: &[u8], gap: Policy) -> Request<'_> {
+pub fn start<M: Entry>(initial: &[u8], gap: Policy) -> Request<'_> {
     let configuration = M::CONFIGURATION;
     Request::Start(Start { configuration, order: 20, gap, initial: Bytes(initial) })
 }

@@ -1,5 +1,6 @@
 //! The body step against Runge and Kutta, against closed forms, and by the textbook.
 
+use schuler::flight::configuration::{Axes, Precision};
 use schuler::flight::plan;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
@@ -218,13 +219,13 @@ fn a_low_order_is_planned_where_it_reaches_the_floor() {
     let mut switched = 0.0;
     for k in 0..40 {
         let turn = 1e-6 * 1.26_f64.powi(k);
-        let flight = plan::Flight {
+        let demand = plan::Demand {
             bandwidth: 0.0,
             angular_rate: turn / 0.04,
             speed: 0.0,
             interval_s: 0.01,
-            digits: plan::Digits::Double,
-            earth_fixed: true,
+            precision: Precision::F64,
+            axes: Axes::EarthFixed,
         };
         let sample = Increment {
             angle_b: Vector::new(0.6, 0.0, -0.8) * (turn / 4.0),
@@ -232,7 +233,7 @@ fn a_low_order_is_planned_where_it_reaches_the_floor() {
         };
         let (whole, _) = H0B4A0::integrate(&[sample; 4], 0.02, 3, false).unwrap();
         let expected = constant(sample.angle_b * 4.0, sample.velocity_b * 4.0, 0.04);
-        if plan::order(&flight, (0, 4, 0)) == 3 {
+        if plan::order(&demand, H0B4A0::SHAPE) == 3 {
             // A block's position is left without 2·3 w³f/4! and more of T/2: a nanometre in ten thousand.
             assert_same(&format!("{turn}"), &whole, &expected, [4e-16, 4e-16, 1e-13]);
             switched = turn;

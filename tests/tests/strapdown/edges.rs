@@ -4,6 +4,7 @@ use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Output as _;
 use schuler::strapdown::block::newton::at_edge;
+use schuler::strapdown::block::shape::WindowShape;
 use schuler::strapdown::block::support::Differences;
 use schuler::strapdown::block::window::*;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;
@@ -152,8 +153,9 @@ fn polynomials_are_fitted_exactly() {
     };
     for (shape, begin) in [((0, 4, 6), 0), ((6, 4, 0), 4), ((2, 3, 5), 1), ((5, 2, 1), 3)] {
         let samples: Vec<_> = (0..14).map(|j| sample(j - 6)).collect();
-        let (history, block, _) = shape;
-        let (fit, used) = at_edge(&samples, shape, begin);
+        let (history, block, lookahead) = shape;
+        let window = WindowShape { history, block, lookahead };
+        let (fit, used) = at_edge(&samples, window, begin);
         assert!(used.gyro >= 5.0 && used.accelerometer >= 5.0, "{shape:?}: {used:?}");
         for sigma in [-1.0_f64, -0.3, 0.4, 1.0] {
             let start = (begin + history) as f64 - 6.0;

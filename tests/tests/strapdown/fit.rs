@@ -4,6 +4,7 @@ use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::strapdown::block::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
 use schuler::strapdown::block::least_squares::least_squares;
+use schuler::strapdown::block::shape::WindowShape;
 use schuler::strapdown::block::window::NAMED;
 use std::ops::{Mul, Sub};
 
@@ -102,7 +103,7 @@ fn check<const P: usize>(history: usize, block: usize, exact: &[Vec<Ratio>]) {
 
 #[test]
 fn interpolating_tables_are_inverses() {
-    for &(history, block, lookahead) in NAMED {
+    for &WindowShape { history, block, lookahead } in NAMED {
         let samples = history + block + lookahead;
         if samples > MOST_SAMPLES {
             continue;

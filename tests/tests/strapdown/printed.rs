@@ -8,7 +8,7 @@ use schuler::solution::{Euler, Solution};
 use schuler::strapdown::limits::Rejected;
 use schuler_host::navigator;
 use schuler_host::recording::navigation::{COLUMNS, NavigationRow};
-use schuler_host::scene::{Algorithm, Axes, Navigator, Precision};
+use schuler_host::scene::{Algorithm, Axes, Navigator, Precision, WindowShape};
 use schuler_tests::Numbers;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -75,7 +75,7 @@ fn every_printed_state_is_a_start() {
             let navigator = Navigator { algorithm, precision, frame, ..Navigator::default() };
             let start = |initial: &Solution<f64>| {
                 let interval_s = Pair::new(10.0).reciprocal();
-                navigator::start(&navigator, (0, 4, 0).into(), 10, interval_s, initial)
+                navigator::start(&navigator, WindowShape::new(0, 4, 0), 10, interval_s, initial)
             };
             // In local-level axes navigation ends near a pole, and nowhere else.
             let is_covered = |position: &Geodetic<f64>, velocity_ned: &Vector<f64>| {

@@ -1,12 +1,13 @@
 //! The table of what windows make of a cone and of noise, worked out from the windows' definition.
 
 use schuler::strapdown::block::gain::gain_squared;
+use schuler::strapdown::block::shape::WindowShape;
 use schuler::strapdown::block::window::*;
 use std::f64::consts::TAU;
 
 /// The least-squares fit, K rows of weights of the samples in Legendre's polynomials over the window.
-fn table(shape: Shape, coefficients: usize) -> Vec<Vec<f64>> {
-    let (history, block, lookahead) = shape;
+fn table(shape: WindowShape, coefficients: usize) -> Vec<Vec<f64>> {
+    let WindowShape { history, block, lookahead } = shape;
     let samples = history + block + lookahead;
     let edge = |j: usize| 2.0 * (j as f64 - history as f64) / block as f64 - 1.0;
     // Legendre polynomials over the whole window, whose normal equations are well behaved.
@@ -55,13 +56,13 @@ fn table(shape: Shape, coefficients: usize) -> Vec<Vec<f64>> {
 const POINTS: usize = 4000;
 
 /// The weights of the samples in the fitted rate at points over the block, per unit of σ.
-fn weights(shape: Shape, coefficients: usize) -> Vec<Vec<f64>> {
+fn weights(shape: WindowShape, coefficients: usize) -> Vec<Vec<f64>> {
     weights_at(shape, coefficients, POINTS)
 }
 
 /// The same at so many points.
-fn weights_at(shape: Shape, coefficients: usize, points: usize) -> Vec<Vec<f64>> {
-    let (history, block, lookahead) = shape;
+fn weights_at(shape: WindowShape, coefficients: usize, points: usize) -> Vec<Vec<f64>> {
+    let WindowShape { history, block, lookahead } = shape;
     let samples = history + block + lookahead;
     let edge = |j: usize| 2.0 * (j as f64 - history as f64) / block as f64 - 1.0;
     let (centre, half) = (0.5 * (edge(0) + edge(samples)), 0.5 * (edge(samples) - edge(0)));
@@ -80,10 +81,10 @@ fn weights_at(shape: Shape, coefficients: usize, points: usize) -> Vec<Vec<f64>>
     (0..points).map(point).collect()
 }
 
-fn gain(shape: Shape, coefficients: usize) -> f64 {
+fn gain(shape: WindowShape, coefficients: usize) -> f64 {
     let weights = weights(shape, coefficients);
     let mean = weights.iter().flatten().map(|a| a * a).sum::<f64>() / POINTS as f64;
-    mean.sqrt() * 2.0 / shape.1 as f64
+    mean.sqrt() * 2.0 / shape.block as f64
 }
 
 /// The cone's increments, so many from one on.
@@ -105,12 +106,12 @@ fn weigh(weights: &[f64], increments: &[(f64, f64)]) -> (f64, f64) {
 
 /// ∫χ × ω over the two samples before a block and its first two, χ the angle by the polynomial centred on
 /// each sample less that by the polynomial it was integrated by, ω by the cubic through the four.
-fn lacking((history, block, lookahead): Shape, beta: f64) -> f64 {
+fn lacking(WindowShape { history, block, lookahead }: WindowShape, beta: f64) -> f64 {
     let samples = history + block + lookahead;
     let points = POINTS / block;
-    let own = weights((history, block, lookahead), samples);
-    let centred = weights_at((samples / 2, 1, samples / 2), samples + 1, points);
-    let cubic = weights((0, block, 0), block);
+    let own = weights(WindowShape { history, block, lookahead }, samples);
+    let centred = weights_at(WindowShape::new(samples / 2, 1, samples / 2), samples + 1, points);
+    let cubic = weights(WindowShape::new(0, block, 0), block);
     let of_block = 2.0 / block as f64;
     let (near, step) = (increments(-2, 4, beta), 1.0 / points as f64);
     let mut lacking = 0.0;
@@ -135,8 +136,8 @@ fn lacking((history, block, lookahead): Shape, beta: f64) -> f64 {
 }
 
 /// (computed − true)/true of a cone's drift, where the correction is what is computed.
-fn response(shape: Shape, coefficients: usize, samples_per_cycle: f64) -> f64 {
-    let (history, block, lookahead) = shape;
+fn response(shape: WindowShape, coefficients: usize, samples_per_cycle: f64) -> f64 {
+    let WindowShape { history, block, lookahead } = shape;
     let beta = TAU / samples_per_cycle;
     let increments = increments(-(history as i32), history + block + lookahead, beta);
     let step = 2.0 / POINTS as f64;
@@ -157,7 +158,7 @@ fn response(shape: Shape, coefficients: usize, samples_per_cycle: f64) -> f64 {
 }
 
 /// Each named window with the number of its coefficients.
-fn windows() -> Vec<(Shape, usize)> {
+fn windows() -> Vec<(WindowShape, usize)> {
     macro_rules! list {
         ($($window:ident),+) => { vec![$(($window::SHAPE, $window::COEFFICIENTS)),+] };
     }
@@ -183,7 +184,7 @@ fn the_table_of_windows_says_what_they_do() {
         .collect();
     assert_eq!(rows.len(), windows().len());
     for (shape, coefficients) in windows() {
-        let name = format!("`{},{},{}`", shape.0, shape.1, shape.2);
+        let name = format!("`{shape}`");
         let row = rows.iter().find(|row| row[0] == name).unwrap_or_else(|| panic!("{name}"));
         for (cell, samples) in row[1..8].iter().zip([2.2, 2.5, 3.0, 4.0, 5.0, 8.0, 20.0]) {
             let x = response(shape, coefficients, samples);
@@ -202,7 +203,7 @@ fn gains_of_interpolating_windows() {
         .flat_map(|(b, h)| (0..=10).map(move |a| (b, h, a)))
         .filter(|(b, h, a)| b + h + a <= 11)
     {
-        let shape = (history, block, lookahead);
+        let shape = WindowShape { history, block, lookahead };
         let [own, other] = [gain_squared(shape).sqrt(), gain(shape, history + block + lookahead)];
         assert!((own / other - 1.0).abs() < 1e-3, "{shape:?}: {own} {other}");
     }

@@ -16,7 +16,7 @@ use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::flight::plan::Digits;
+use schuler::flight::configuration::Precision;
 use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler::trajectory::Trajectory as _;
@@ -62,14 +62,14 @@ fn measure() -> Result<(), Fault> {
     let motion = Motion::new()?;
     let bound = motion.course.bound();
 
-    let single: Strapdown<LocalLevel<Pair<f32>>, H0B4A0> = planned(Digits::Single, bound)?;
+    let single: Strapdown<LocalLevel<Pair<f32>>, H0B4A0> = planned(Precision::F32, bound)?;
     mechanization("f32", &single, &motion, &counter)?;
     spread(&single, &motion, &counter)?;
-    let precise: Strapdown<LocalLevel<TwoFloat<f32>>, H0B4A0> = planned(Digits::TwoFloat, bound)?;
+    let precise: Strapdown<LocalLevel<TwoFloat<f32>>, H0B4A0> = planned(Precision::F32x2, bound)?;
     mechanization("f32x2", &precise, &motion, &counter)?;
     let textbook = Textbook::<LocalLevelTextbook<f32>>::new(1.0 / RATE_HZ as f32)?;
     mechanization("f32 textbook", &textbook, &motion, &counter)?;
-    let double: Strapdown<LocalLevel<Pair<f64>>, H0B4A0> = planned(Digits::Double, bound)?;
+    let double: Strapdown<LocalLevel<Pair<f64>>, H0B4A0> = planned(Precision::F64, bound)?;
     mechanization("f64", &double, &motion, &counter)?;
 
     error_terms::<f32>("f32 error terms", &motion, &counter)?;

@@ -8,7 +8,7 @@ use schuler_firmware::board::entry;
 
 /// The reference mechanization alone fits a micro:bit.
 #[cfg(feature = "microbit")]
-type Fleet = schuler::link::flight::Flight<
+type Fleet = schuler::link::flight::LinkedFlight<
     schuler::strapdown::navigator::Strapdown<
         schuler::strapdown::frame::local_level::LocalLevel<schuler::math::compensated::Pair<f32>>,
         schuler::strapdown::block::window::H0B4A0,

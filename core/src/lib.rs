@@ -14,8 +14,11 @@ pub mod imu;
 #[cfg(feature = "link")]
 pub mod link;
 pub mod math;
+pub mod navigators;
 #[cfg(feature = "sensor")]
 pub mod noise;
+pub mod prelude;
+pub mod readout;
 pub mod record;
 pub mod sample;
 #[cfg(feature = "sensor")]
@@ -24,3 +27,6 @@ pub mod solution;
 pub mod strapdown;
 #[cfg(feature = "trajectory")]
 pub mod trajectory;
+
+#[doc(inline)]
+pub use prelude::*;

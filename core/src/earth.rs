@@ -26,6 +26,15 @@ pub const SOMIGLIANA: f64 = 0.00193185265241;
 /// Ratio of centrifugal to gravitational acceleration at the equator m.
 pub const CENTRIFUGAL_RATIO: f64 = 0.00344978650684;
 
+/// sin 84°: the true latitude beyond which meridians are not compared. Where the universal polar
+/// stereographic grid takes over from meridians (NGA.SIG.0012, *The universal grids*), so does the drift.
+///
+/// There the angle between the two meridians tells of the position, not of the attitude or the velocity,
+/// and at the pole there is none. So the computed north is the true one, carried along the shortest way
+/// from the true to the computed position. It depends on the truth alone which rule holds: a drift and
+/// what theory expects of it are always of the same kind.
+pub const POLAR_SINE: f64 = 0.994_521_895_368_273_3;
+
 /// A point by its geodetic coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

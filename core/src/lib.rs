@@ -20,8 +20,11 @@ pub mod imu;
 #[cfg(feature = "link")]
 pub mod link;
 pub mod math;
+pub mod navigators;
 #[cfg(feature = "sensor")]
 pub mod noise;
+pub mod prelude;
+pub mod readout;
 pub mod record;
 pub mod sample;
 #[cfg(feature = "sensor")]
@@ -29,3 +32,6 @@ pub mod sensor;
 pub mod solution;
 #[cfg(feature = "trajectory")]
 pub mod trajectory;
+
+#[doc(inline)]
+pub use prelude::*;

@@ -3,12 +3,14 @@
 //! All differences are taken between the two-float coordinates first; what follows is a product with
 //! such a difference, so that 10⁻¹⁰ m shows beside an Earth's radius.
 
+pub use crate::earth::POLAR_SINE;
 use crate::earth::{ECCENTRICITY_SQUARED, Radii, SEMI_MAJOR_AXIS};
 use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::solution::Solution;
+use crate::strapdown::correction::Correction;
 
 /// A solution less the truth: north, east, down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -25,14 +27,13 @@ pub struct Drift<R = f64> {
     pub attitude_ned: Vector<R>,
 }
 
-/// sin 84°: the true latitude beyond which meridians are not compared. Where the universal polar
-/// stereographic grid takes over from meridians (NGA.SIG.0012, *The universal grids*), so does the drift.
-///
-/// There the angle between the two meridians tells of the position, not of the attitude or the velocity,
-/// and at the pole there is none. So the computed north is the true one, carried along the shortest way
-/// from the true to the computed position. It depends on the truth alone which rule holds: a drift and
-/// what theory expects of it are always of the same kind.
-pub const POLAR_SINE: f64 = 0.994_521_895_368_273_3;
+impl<R> From<Drift<R>> for Correction<R> {
+    /// Of the drift of what the state should be from what it is: `drift(&truth, &computed).into()`.
+    fn from(drift: Drift<R>) -> Self {
+        let Drift { position_ned, velocity_ned, attitude_ned } = drift;
+        Self { position_ned, velocity_ned, attitude_ned }
+    }
+}
 
 /// The computed solution less the truth; both with latitudes within ±90°.
 pub fn drift(computed: &Solution<f64>, truth: &Solution<f64>) -> Drift {

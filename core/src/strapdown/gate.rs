@@ -35,6 +35,12 @@ fn is_interval<R: Real>(interval_s: R) -> bool {
     is_positive(interval_s) & interval_s.is_within(R::ONE)
 }
 
+/// The interval in seconds of a rate in hertz, to twice the digits.
+#[inline]
+pub(crate) fn interval_of<R: Real>(rate_hz: f64) -> Pair<R> {
+    Pair::of(rate_hz).reciprocal()
+}
+
 impl<R: Real> Gate<R> {
     /// For samples of an interval in seconds, so many to a block.
     pub fn new(interval_s: R, limits: Limits<R>, block: usize) -> Result<Self, StartError> {

@@ -2,10 +2,12 @@
 
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
+use crate::readout::Readout;
 use crate::sample::Increment;
 use crate::solution::Output;
 use crate::solution::Solution;
 use crate::strapdown::block::newton::Edges;
+use crate::strapdown::correction::Correction;
 use crate::strapdown::limits::{Rejected, StartError};
 use crate::strapdown::plausible::Damaged;
 
@@ -59,6 +61,19 @@ pub trait Mechanization {
         altitude: Self::Real,
         down: Self::Real,
     ) -> Result<(), Rejected>;
+    /// Corrects the state at the end of the last block, the one that [`Mechanization::output`] shows; what
+    /// waits for the next block is integrated from there. A correction of zero leaves every bit.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected::Correction`] where it is not finite or too large, [`Rejected::Pole`] where local-level
+    /// axes are within 64 times its length of a pole, and [`Rejected::Place`] where it would lead too far up
+    /// or down. The state is as it was then, bit for bit.
+    fn correct(
+        &self,
+        state: &mut Self::State,
+        correction: &Correction<Self::Real>,
+    ) -> Result<(), Rejected>;
     /// Whether a state can be one that navigation left: asked of every state that was written back, before
     /// it goes on.
     fn check(&self, state: &Self::State) -> Result<(), Damaged>;
@@ -72,6 +87,10 @@ pub trait Mechanization {
     }
     /// The navigation that the state stands at.
     fn output(&self, state: &Self::State) -> Self::Output;
+    /// The same as plain numbers: degrees, metres and m/s.
+    fn readout(&self, state: &Self::State) -> Readout<Self::Real> {
+        self.output(state).readout()
+    }
 }
 
 /// A mechanization that takes samples of any length.

@@ -7,10 +7,12 @@
 //! | [`navigator`] | samples in, blocks and rows out |
 //! | [`reference`] | what it is measured against: the textbook's algorithm, Runge-Kutta |
 //! | [`mechanization`] | what every mechanization has in common |
+//! | [`correction`] | corrections of a running state |
 //! | [`limits`], [`gate`], [`plausible`] | what is accepted of samples, starts and restored states |
 
 #[macro_use]
 pub mod block;
+pub mod correction;
 pub mod frame;
 pub mod gate;
 pub mod limits;

@@ -37,6 +37,25 @@ pub struct Channel<'a, R> {
     pub harmonics: &'a [Harmonic<R>],
 }
 
+impl<R: Scalar> Channel<'_, R> {
+    /// A channel that stays at a value, rad or m.
+    ///
+    /// ```
+    /// use schuler::trajectory::harmonic::Channel;
+    ///
+    /// let altitude = Channel::constant(120.0);
+    /// assert_eq!((altitude.offset, altitude.rate), (120.0, 0.0));
+    /// ```
+    pub const fn constant(value: R) -> Self {
+        Self::steady(value, R::ZERO)
+    }
+
+    /// A channel that changes at a steady rate per second.
+    pub const fn steady(offset: R, rate: R) -> Self {
+        Self { offset, rate, harmonics: &[] }
+    }
+}
+
 /// The six channels in order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -92,7 +92,11 @@ fn a_window_that_the_target_lacks_is_replaced_aloud() {
 fn what_is_not_to_be_had_is_named() {
     let folder = tempfile::tempdir().unwrap();
     for (line, code, part) in [
-        ("hil paper --window 0,8,0", 2, "navigator: the target does not fly f64 local-level taylor 0,8,0"),
+        (
+            "hil paper --window 0,8,0",
+            2,
+            "navigator: the target does not fly f64 local-level taylor 0,8,0",
+        ),
         ("hil paper --device qemu --image missing", 2, "missing: there is no such image; accepted"),
         ("hil paper --device tcp:127.0.0.1:1", 2, "--device: 127.0.0.1:1: "),
         ("hil paper --device serial:/nowhere", 2, "--device: /nowhere: "),

@@ -14,6 +14,7 @@ mod accuracy;
 mod body;
 mod cones;
 mod coning;
+mod corrected;
 mod edges;
 mod fit;
 mod gravitation;

@@ -4,8 +4,11 @@
 //! at its end position, velocity and gravity turn with the Earth. Gravitation is evaluated once per
 //! block and interpolated backwards (Adams).
 
+mod correct;
 mod plausible;
 mod two_float;
+
+pub(crate) use two_float::root;
 
 use super::block_time::{BlockTime, small_turn};
 use super::gravitation::Latitude;
@@ -18,6 +21,7 @@ use crate::math::vector::Vector;
 use crate::record::{Record, record};
 use crate::solution::{EarthFixedSolution, Solution};
 use crate::strapdown::block::body::BodyMotion;
+use crate::strapdown::correction::Correction;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::beginning::Beginning;
 use crate::strapdown::limits::Rejected;
@@ -240,6 +244,10 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let gravitation = gravitation::<R, S>(&mut latitude, self.position.map(S::pair));
         self.gravitation = gravitation.map(|c| c.hi);
         self.gravitation_low = gravitation.map(|c| c.lo);
+    }
+
+    fn correct(&mut self, correction: &Correction<R>) -> Result<(), Rejected> {
+        self.corrected(correction)
     }
 
     #[inline(always)]

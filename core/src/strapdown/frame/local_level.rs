@@ -4,6 +4,7 @@
 //! relative to the Earth; at the end the frame turns to the new place. No state is as large as the
 //! Earth, which makes it the frame for single precision. Near a pole use the Earth-fixed frame.
 
+mod correct;
 mod plausible;
 mod seed;
 mod within;
@@ -23,6 +24,7 @@ use crate::math::vector::Vector;
 use crate::record::{Record, record};
 use crate::solution::Solution;
 use crate::strapdown::block::body::BodyMotion;
+use crate::strapdown::correction::Correction;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::limits::Rejected;
 use crate::strapdown::place::{check_local, fold_longitude};
@@ -252,6 +254,10 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         let excess = Self::excess(self.sine, self.position.altitude, self.curvature);
         self.gravity_excess = excess.hi;
         self.gravity_excess_low = excess.lo;
+    }
+
+    fn correct(&mut self, correction: &Correction<R>) -> Result<(), Rejected> {
+        self.corrected(correction)
     }
 
     #[inline(always)]

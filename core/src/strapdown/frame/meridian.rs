@@ -96,6 +96,11 @@ impl<R: Real> Meridian<R> {
         }
     }
 
+    /// (R_N + h)cosφ, m: the distance from the axis.
+    pub(crate) fn axis_distance(&self) -> R {
+        self.axis_distance
+    }
+
     /// The change of place of a displacement relative to the Earth, north, east, down at the start, m.
     #[inline(always)]
     pub fn moved(&self, displacement: Vector<R>) -> PlaceChange<R> {

@@ -24,6 +24,7 @@ use crate::math::real::Real;
 use crate::solution::Output;
 use crate::solution::Solution;
 use crate::strapdown::block::body::BodyMotion;
+use crate::strapdown::correction::Correction;
 use crate::strapdown::frame::block_time::BlockTime;
 use crate::strapdown::limits::Rejected;
 use crate::strapdown::plausible::Plausible;
@@ -58,6 +59,8 @@ pub trait Frame: Copy + Send + Plausible {
     ) -> Self::Output;
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
     fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
+    /// Adds a correction that is finite and not too large; what is refused leaves half of one.
+    fn correct(&mut self, correction: &Correction<Self::Real>) -> Result<(), Rejected>;
     /// Whether navigation can go on from where it stands.
     fn check_place(&self) -> Result<(), Rejected>;
     /// The state as it stands.

@@ -15,7 +15,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             && state.filled.checked_sub(state.pending).is_some_and(|past| can_wait(state, past))
             && state.integrated <= MOST_COUNTED
             && state.seeded <= W::BLOCK
-            && (state.seeded == 0) == (state.integrated == 0)
+            // 0 also after a correction, until the next block.
+            && (state.seeded == 0 || state.integrated != 0)
             && samples.iter().all(|sample| self.gate.admit(sample).is_ok())
             && state.frame.is_plausible();
         if sound { Ok(()) } else { Err(Damaged) }

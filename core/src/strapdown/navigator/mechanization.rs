@@ -5,6 +5,7 @@ use crate::solution::Solution;
 use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::block::newton::Edges;
 use crate::strapdown::block::window::Window;
+use crate::strapdown::correction::Correction;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::gate::admit_held;
 use crate::strapdown::limits::{Rejected, StartError};
@@ -65,6 +66,13 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
         admit_held(altitude, down)?;
         state.frame.hold_vertical(altitude, down);
         Ok(())
+    }
+    fn correct(
+        &self,
+        state: &mut State<F, W>,
+        correction: &Correction<F::Real>,
+    ) -> Result<(), Rejected> {
+        Strapdown::correct(self, state, correction)
     }
     fn check(&self, state: &State<F, W>) -> Result<(), Damaged> {
         Strapdown::check(self, state)

@@ -8,11 +8,13 @@
 //! |---|---|
 //! | `edges` | the first and the last blocks of a stream |
 //! | `unequal` | blocks of samples of unequal intervals |
+//! | `correct` | a running state corrected |
 //! | `rows` | who reads the rows within a block |
 //! | `mechanization` | the navigator as a mechanization |
 //! | `check`, `stored` | a state as bytes, and whether it can be one |
 
 mod check;
+mod correct;
 mod edges;
 mod mechanization;
 mod rows;
@@ -30,7 +32,7 @@ use crate::strapdown::block::newton::Edges;
 use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::block_time::BlockTime;
-use crate::strapdown::gate::{Gate, admit_start};
+use crate::strapdown::gate::{Gate, admit_start, interval_of};
 use crate::strapdown::limits::Limits;
 use crate::strapdown::limits::{Rejected, StartError};
 use crate::strapdown::navigator::rows::{Blocks, Every, Read, Unread};
@@ -83,9 +85,30 @@ impl<F: Frame, W: Window> State<F, W> {
 }
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
-    /// With a sampling interval in seconds and the default limits.
+    /// With a sampling interval in seconds and the default limits. A number such as 0.01 is rounded before
+    /// it gets into a [`Pair::new`]; [`Strapdown::from_rate_hz`] has it exactly.
     pub fn new(interval_s: Pair<R>) -> Result<Self, StartError> {
         Self::with_limits(interval_s, Limits::default())
+    }
+
+    /// With a sampling rate in hertz: the interval is its reciprocal to twice the digits of `R`.
+    ///
+    /// ```
+    /// use schuler::Navigator4;
+    ///
+    /// let navigator = Navigator4::<f32>::from_rate_hz(100.0)?;
+    /// # Ok::<(), schuler::StartError>(())
+    /// ```
+    #[inline]
+    pub fn from_rate_hz(rate_hz: f64) -> Result<Self, StartError> {
+        Self::new(interval_of(rate_hz))
+    }
+
+    /// With a sampling interval in seconds, to twice the digits of `f32`, or to those of `f64`. 1/100 is no
+    /// binary fraction: where the rate is the round number, [`Strapdown::from_rate_hz`] is the exact one.
+    #[inline]
+    pub fn from_interval_s(interval_s: f64) -> Result<Self, StartError> {
+        Self::new(Pair::of(interval_s))
     }
 
     /// With a sampling interval in seconds and limits.

@@ -56,7 +56,7 @@ pub(super) fn gravitation<R: Real>(
 
 /// √x, to about twice the digits, and √x alone where it is next to nothing.
 #[inline(always)]
-fn root<R: Real>(x: Pair<R>) -> Pair<R> {
+pub(crate) fn root<R: Real>(x: Pair<R>) -> Pair<R> {
     let s = x.hi.sqrt();
     let (p, e) = two_product(s, s);
     let none = s.less(R::of(1e-6));

@@ -9,6 +9,7 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::record::{Record, record};
 use crate::solution::{EarthFixedSolution, Solution};
+use crate::strapdown::correction::{Correction, earth_fixed};
 use crate::strapdown::frame::block_time::small_turn;
 use crate::strapdown::frame::gravitation::Latitude;
 use crate::strapdown::limits::Rejected;
@@ -87,6 +88,17 @@ impl<R: Real> TextbookFrame for EarthFixedTextbook<R> {
         self.position = self.position + up * lift;
         let climb = up.dot(self.velocity) + down;
         self.velocity = self.velocity - up * climb;
+    }
+
+    fn correct(&mut self, correction: &Correction<R>) -> Result<(), Rejected> {
+        // The latitude carried is that of the sample's middle; from here on, that of its end.
+        let position_e = self.position.map(Pair::new);
+        let change = earth_fixed(&self.latitude, position_e, self.velocity, correction);
+        self.position = self.position + change.position.map(|x| x.hi);
+        self.velocity = self.velocity + change.velocity;
+        self.attitude = (self.attitude + change.attitude * self.attitude).normalised();
+        self.latitude = change.latitude;
+        self.check_place()
     }
 
     #[inline(always)]

@@ -9,6 +9,8 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::record::{Record, record};
 use crate::solution::Solution;
+use crate::strapdown::correction::{Correction, local_level};
+use crate::strapdown::frame::meridian::{Meridian, curvature};
 use crate::strapdown::limits::Rejected;
 use crate::strapdown::place::{check_local, fold_longitude};
 use crate::strapdown::plausible::{MOST_SPEED, Plausible, agree, is_attitude};
@@ -123,6 +125,24 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
     fn hold_vertical(&mut self, altitude: R, down: R) {
         self.position.altitude = altitude;
         self.velocity.z = down;
+    }
+
+    fn correct(&mut self, correction: &Correction<R>) -> Result<(), Rejected> {
+        let (s, c) = (self.sine, self.cosine);
+        let meridian = Meridian::at(s, c, self.position.altitude, curvature(s));
+        let change = local_level(&meridian, self.velocity, correction)?;
+        let place = &change.place;
+        let Geodetic { latitude, longitude, altitude } = self.position;
+        self.position = folded(Geodetic {
+            latitude: latitude + place.latitude,
+            longitude: longitude + place.longitude,
+            altitude: altitude - correction.position_ned.z,
+        });
+        self.sine = s + (c * place.sine + s * place.cosine_less_one);
+        self.cosine = c + (c * place.cosine_less_one - s * place.sine);
+        self.velocity = self.velocity + change.velocity;
+        self.attitude = (self.attitude + change.attitude * self.attitude).normalised();
+        self.check_place()
     }
 
     #[inline(always)]

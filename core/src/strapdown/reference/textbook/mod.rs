@@ -18,7 +18,8 @@ use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Output;
 use crate::solution::Solution;
-use crate::strapdown::gate::{Gate, admit_held, admit_start};
+use crate::strapdown::correction::Correction;
+use crate::strapdown::gate::{Gate, admit_held, admit_start, interval_of};
 use crate::strapdown::limits::Limits;
 use crate::strapdown::limits::{Rejected, StartError};
 use crate::strapdown::mechanization::Mechanization;
@@ -42,6 +43,8 @@ pub trait TextbookFrame: Copy + Send + Plausible {
     fn step(&mut self, interval_s: Self::Real, body: &Compensated<Self::Real>);
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
     fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
+    /// Adds a correction that is finite and not too large; what is refused leaves half of one.
+    fn correct(&mut self, correction: &Correction<Self::Real>) -> Result<(), Rejected>;
     /// Whether navigation can go on from where it stands.
     fn check_place(&self) -> Result<(), Rejected>;
     /// The state as it stands.
@@ -70,6 +73,19 @@ impl<F: TextbookFrame> Textbook<F> {
     /// With a sampling interval in seconds and the default limits.
     pub fn new(interval_s: F::Real) -> Result<Self, StartError> {
         Self::with_limits(interval_s, Limits::default())
+    }
+
+    /// With a sampling rate in hertz: the interval is its reciprocal, rounded once to the digits of the
+    /// frame's scalar, which is all that this algorithm keeps of it.
+    #[inline]
+    pub fn from_rate_hz(rate_hz: f64) -> Result<Self, StartError> {
+        Self::new(interval_of::<F::Real>(rate_hz).hi)
+    }
+
+    /// With a sampling interval in seconds, rounded to the digits of the frame's scalar.
+    #[inline]
+    pub fn from_interval_s(interval_s: f64) -> Result<Self, StartError> {
+        Self::new(F::Real::of(interval_s))
     }
 
     /// With a sampling interval in seconds and limits.
@@ -230,6 +246,24 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
     ) -> Result<(), Rejected> {
         admit_held(altitude, down)?;
         state.frame.hold_vertical(altitude, down);
+        Ok(())
+    }
+
+    fn correct(
+        &self,
+        state: &mut TextbookState<F>,
+        correction: &Correction<F::Real>,
+    ) -> Result<(), Rejected> {
+        correction.admit()?;
+        if correction.is_zero() {
+            return Ok(());
+        }
+        let mut frame = state.frame;
+        frame.correct(correction)?;
+        if !frame.is_plausible() {
+            return Err(Rejected::Correction);
+        }
+        state.frame = frame;
         Ok(())
     }
 

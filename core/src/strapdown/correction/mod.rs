@@ -1,0 +1,94 @@
+//! Corrections of a running state: how a filter, a fix or an operator moves it.
+//!
+//! | file | what it has |
+//! |---|---|
+//! | this one | [`Correction`], and what is accepted of one |
+//! | `local_level` | what it adds to a state in local-level axes, by the series of the step |
+//! | `earth_fixed` | what it adds to a state in Earth-fixed axes, by two-float geometry |
+//! | `turn` | rotations that are kept less one |
+//!
+//! A correction goes to the state at the end of the last block, the one that
+//! [`output`](crate::strapdown::mechanization::Mechanization::output) shows, and through the same
+//! compensated sums as a step. Samples that wait for the next block are integrated from the corrected
+//! state. What follows from position and velocity moves along: the latitude's sine and cosine, gravity,
+//! and the gravity history, which the next block sets up anew as after a start.
+
+mod earth_fixed;
+mod local_level;
+mod turn;
+
+pub(crate) use earth_fixed::earth_fixed;
+pub(crate) use local_level::local_level;
+
+use crate::math::real::Real;
+use crate::math::vector::Vector;
+use crate::strapdown::limits::Rejected;
+
+/// The corrected state less the present one, in north, east and down.
+///
+/// The three parts are those of [`Drift`](crate::drift::compare::Drift), which measures one solution
+/// against another: so `drift(&truth, &computed)` is the correction that leads from the computed solution
+/// to the truth, whatever its size.
+///
+/// ```
+/// use schuler::prelude::*;
+///
+/// # let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
+/// # let start = Solution::new(Geodetic::default(), Vector::ZERO, level);
+/// let navigator = Navigator4::<f64>::from_rate_hz(100.0)?;
+/// let mut state = navigator.start(&start)?;
+/// // Two metres higher, and a tenth of a metre per second slower to the north.
+/// let correction = Correction {
+///     position_ned: Vector::new(0.0, 0.0, -2.0),
+///     velocity_ned: Vector::new(-0.1, 0.0, 0.0),
+///     ..Correction::ZERO
+/// };
+/// navigator.correct(&mut state, &correction)?;
+/// assert_eq!(navigator.readout(&state).altitude_m, 2.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Correction<R> {
+    /// Position, m: the horizontal components of the straight chord from the present to the corrected
+    /// position, along the present north and east, and the height lost. At most [`MOST_POSITION`].
+    pub position_ned: Vector<R>,
+    /// Velocity, m/s: the corrected less the present one, each in the north, east and down of its own
+    /// position. At most [`MOST_VELOCITY`].
+    pub velocity_ned: Vector<R>,
+    /// Attitude, rad: the rotation vector of C_bⁿ(corrected)·C_bⁿ(present)ᵀ, each against the north, east
+    /// and down of its own position. At most π.
+    ///
+    /// Beyond [`POLAR_SINE`](crate::earth::POLAR_SINE), 84° of latitude, the corrected north of velocity and
+    /// attitude is the present one, carried along the shortest way to the corrected position.
+    pub attitude_ned: Vector<R>,
+}
+
+/// The largest correction of a position, m. Who is farther off starts again.
+pub const MOST_POSITION: f64 = 1e4;
+/// The largest correction of a velocity, m/s.
+pub const MOST_VELOCITY: f64 = 1e4;
+
+impl<R: Real> Correction<R> {
+    /// None: it leaves every bit of a state.
+    pub const ZERO: Self =
+        Self { position_ned: Vector::ZERO, velocity_ned: Vector::ZERO, attitude_ned: Vector::ZERO };
+
+    /// Whether there is nothing to correct.
+    pub(crate) fn is_zero(&self) -> bool {
+        !self.moves() && self.attitude_ned.is_within(R::ZERO)
+    }
+
+    /// Whether position or velocity change, and with them what gravity did before.
+    pub(crate) fn moves(&self) -> bool {
+        !self.position_ned.is_within(R::ZERO) || !self.velocity_ned.is_within(R::ZERO)
+    }
+
+    /// Whether it is finite and not too large.
+    pub(crate) fn admit(&self) -> Result<(), Rejected> {
+        let admitted = self.position_ned.norm().is_within(R::of(MOST_POSITION))
+            & self.velocity_ned.norm().is_within(R::of(MOST_VELOCITY))
+            & self.attitude_ned.norm().is_within(R::of(core::f64::consts::PI));
+        if admitted { Ok(()) } else { Err(Rejected::Correction) }
+    }
+}

@@ -1,0 +1,41 @@
+//! A running state corrected, at the end of its last block.
+
+use super::{State, Strapdown};
+use crate::math::real::Real;
+use crate::strapdown::block::intervals::Intervals as _;
+use crate::strapdown::block::window::Window;
+use crate::strapdown::correction::Correction;
+use crate::strapdown::frame::Frame;
+use crate::strapdown::limits::Rejected;
+
+impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
+    /// Corrects position, velocity and attitude as they stand in [`State::output`]; samples that are
+    /// pending are integrated from there. A correction of zero leaves every bit.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Mechanization::correct`](crate::strapdown::mechanization::Mechanization::correct), with the
+    /// state as it was.
+    pub fn correct(
+        &self,
+        state: &mut State<F, W>,
+        correction: &Correction<R>,
+    ) -> Result<(), Rejected> {
+        correction.admit()?;
+        if correction.is_zero() {
+            return Ok(());
+        }
+        let mut frame = state.frame;
+        frame.correct(correction)?;
+        if !frame.is_plausible() {
+            return Err(Rejected::Correction);
+        }
+        state.frame = frame;
+        if correction.moves() {
+            // The gravity history is that of another way here: the next block sets it up anew.
+            state.seeded = 0;
+            state.intervals.set_history(R::ZERO);
+        }
+        Ok(())
+    }
+}

@@ -2,6 +2,11 @@
 
 pub mod baseline;
 
+/// The code of the repository's front page.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct FrontPage;
+
 use schuler::drift::compare::drift;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;

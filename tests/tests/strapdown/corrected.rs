@@ -2,11 +2,11 @@
 
 use schuler::drift::compare::{Drift, drift};
 use schuler::earth::Geodetic;
+use schuler::flight::carried::Carried;
 use schuler::math::compensated::{Pair, Plain, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::math::vector::Vector;
 use schuler::record::Record;
-use schuler::flight::carried::Carried;
 use schuler::solution::{Euler, Output as _, Solution};
 use schuler::strapdown::block::unequal::Unequal;
 use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A0, Parabola20, Window};

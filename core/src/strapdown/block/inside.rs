@@ -33,7 +33,7 @@ impl<R: Real> Default for Mirror<R> {
 }
 
 /// A series that can be evaluated inside its block.
-pub trait BlockSeries<R: Real>: Copy {
+pub trait BlockSeries<R: Real> {
     /// The motion from the block's start to σ in (−1, 1).
     fn until(&self, sigma: R, half_time_s: R) -> BodyMotion<R>;
     /// The motion up to a row of so many in the block; rows are asked for in their order.

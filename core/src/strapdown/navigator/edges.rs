@@ -56,13 +56,13 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// A block of `block` samples within the window of at most `all` samples that starts `history`
     /// before it.
     #[inline(never)]
-    pub(crate) fn edge_block(
+    pub(crate) fn edge_block<Q: Read<F> + ?Sized>(
         &self,
         state: &mut State<F, W>,
         history: usize,
         block: usize,
         all: usize,
-        read: &mut impl Read<F>,
+        read: &mut Q,
     ) {
         if !self.is_nominal(state, history, all) {
             let lookahead = all.saturating_sub(history + block);
@@ -94,7 +94,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// The last blocks: the look-ahead that is missing goes to the history.
     #[inline(never)]
-    pub(crate) fn last_blocks(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
+    pub(crate) fn last_blocks<Q: Read<F> + ?Sized>(&self, state: &mut State<F, W>, read: &mut Q) {
         while state.pending > 0 {
             let block = state.pending.min(W::BLOCK).min(LAST_BLOCK);
             let most = if W::COEFFICIENTS < W::SAMPLES {

@@ -6,6 +6,7 @@
 //!
 //! | file | what it has |
 //! |---|---|
+//! | `crossing` | the step over a block, and the rows within it |
 //! | `edges` | the first and the last blocks of a stream |
 //! | `unequal` | blocks of samples of unequal intervals |
 //! | `correct` | a running state corrected |
@@ -15,6 +16,7 @@
 
 mod check;
 mod correct;
+mod crossing;
 mod edges;
 mod mechanization;
 mod rows;
@@ -26,7 +28,7 @@ use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Solution;
 use crate::strapdown::block::body::BodyMotion;
-use crate::strapdown::block::inside::{BlockSeries, Mirror};
+use crate::strapdown::block::inside::BlockSeries;
 use crate::strapdown::block::intervals::Intervals as _;
 use crate::strapdown::block::newton::Edges;
 use crate::strapdown::block::window::Window;
@@ -179,17 +181,17 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// Integrates what is pending: the stream is at its end. More samples may follow all the same.
     pub fn finish(&self, state: &mut State<F, W>) {
-        self.last_blocks(state, &mut Unread);
+        self.end(state, &mut Unread);
     }
 
     /// The same, reading every row.
     pub fn finish_rows(&self, state: &mut State<F, W>, read: impl FnMut(u64, F::Output)) {
-        self.last_blocks(state, &mut Every(read));
+        self.end(state, &mut Every(read));
     }
 
     /// The same, showing every block.
     pub fn finish_blocks(&self, state: &mut State<F, W>, see: impl FnMut(u64, &BodyMotion<R>, &F)) {
-        self.last_blocks(state, &mut Blocks(see));
+        self.end(state, &mut Blocks(see));
     }
 
     /// Navigation at the newest sample, without the look-ahead that its rows wait for.
@@ -206,6 +208,41 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         sample: Increment<R>,
         excess: R,
         read: &mut impl Read<F>,
+    ) -> Result<(), Rejected> {
+        if W::UNEQUAL {
+            self.take_any(state, sample, excess, read)
+        } else {
+            self.take_by(state, sample, excess, read)
+        }
+    }
+
+    /// One code for all readers.
+    #[inline(never)]
+    fn take_any(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+        excess: R,
+        read: &mut dyn Read<F>,
+    ) -> Result<(), Rejected> {
+        self.take_by(state, sample, excess, read)
+    }
+
+    fn end(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
+        if W::UNEQUAL {
+            self.last_blocks::<dyn Read<F>>(state, read);
+        } else {
+            self.last_blocks(state, read);
+        }
+    }
+
+    #[inline(always)]
+    fn take_by<Q: Read<F> + ?Sized>(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+        excess: R,
+        read: &mut Q,
     ) -> Result<(), Rejected> {
         // The first sample after a block is refused where the block led astray, and then every other.
         if state.pending <= W::LOOKAHEAD {
@@ -256,7 +293,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 
     #[inline(always)]
-    fn whole_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
+    fn whole_block<Q: Read<F> + ?Sized>(&self, state: &mut State<F, W>, read: &mut Q) {
         let end = state.filled - state.pending + W::BLOCK + W::LOOKAHEAD;
         let seen = state.samples.as_ref().get(..end).unwrap_or(&[]);
         let begin = self.begin(state, end);
@@ -277,58 +314,5 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         ) {
             self.step::<false, _>(state, (&self.block, &[]), W::BLOCK, &body, &series, read);
         }
-    }
-
-    /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads. `excess`
-    /// is what its samples' intervals exceed the nominal one by, if any does.
-    #[inline(always)]
-    fn step<const EDGE: bool, Q: Read<F>>(
-        &self,
-        state: &mut State<F, W>,
-        (time, excess): (&BlockTime<R>, &[R]),
-        block: usize,
-        body: &BodyMotion<R>,
-        series: &impl BlockSeries<R>,
-        read: &mut Q,
-    ) {
-        let uneven = !excess.is_empty();
-        if W::UNEQUAL && (uneven || R::any(R::ZERO.less(state.intervals.history_s()))) {
-            self.adapt_history(state, time, body);
-            state.intervals.set_history(if uneven { time.time.hi } else { R::ZERO });
-            state.seeded = block;
-        } else if state.seeded != block {
-            state.frame.seed(time, body);
-            state.seeded = block;
-        }
-        let before = state.frame;
-        let step = if EDGE {
-            edges::step(&mut state.frame, time, body)
-        } else {
-            state.frame.step(time, body)
-        };
-        if Q::EVERY_ROW {
-            let part = R::ONE / R::count(block as u32);
-            let mut mirror = Mirror::new();
-            let mut elapsed = R::ZERO;
-            for row in 1..block {
-                let (inside, fraction) = match excess.get(row - 1) {
-                    None => (
-                        series.until_row(row, block, time.half, &mut mirror),
-                        R::count(row as u32) * part,
-                    ),
-                    Some(&excess) => {
-                        elapsed = elapsed + (self.interval.hi + excess);
-                        let fraction = elapsed / time.time.hi;
-                        (series.until(fraction + fraction - R::ONE, time.half), fraction)
-                    }
-                };
-                let output = before.within(&step, time, &inside, fraction);
-                read.row(state.integrated + row as u64, output);
-            }
-            read.row(state.integrated + block as u64, state.frame.output());
-        }
-        state.integrated += block as u64;
-        state.pending -= block;
-        read.block(state.integrated, body, &state.frame);
     }
 }

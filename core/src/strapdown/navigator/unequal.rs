@@ -62,9 +62,9 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         excess.fold(true, |nominal, x| nominal & x.is_within(R::ZERO))
     }
 
-    /// A block of samples that may differ in length: one code for `push` and `push_over`.
-    #[inline(never)]
-    pub(crate) fn any_block(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
+    /// A block of samples that may differ in length.
+    #[inline]
+    pub(crate) fn any_block<Q: Read<F> + ?Sized>(&self, state: &mut State<F, W>, read: &mut Q) {
         if self.is_nominal(state, W::HISTORY, W::SAMPLES) {
             self.whole_block(state, read);
         } else {
@@ -85,12 +85,12 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// A block of `block` samples with `history` before it and `lookahead` after it; `edge` at the first
     /// and the last ones.
     #[inline(never)]
-    pub(crate) fn unequal_block(
+    pub(crate) fn unequal_block<Q: Read<F> + ?Sized>(
         &self,
         state: &mut State<F, W>,
         WindowShape { history, block, lookahead }: WindowShape,
         edge: bool,
-        read: &mut impl Read<F>,
+        read: &mut Q,
     ) {
         let most = if edge { BESIDE_AT_EDGE } else { MOST_SAMPLES };
         let lookahead = lookahead.min(most);

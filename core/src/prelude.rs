@@ -6,7 +6,7 @@ pub use crate::math::quaternion::Quaternion;
 pub use crate::math::vector::Vector;
 pub use crate::navigators::*;
 pub use crate::readout::Readout;
-pub use crate::sample::{Increment, Rates};
+pub use crate::sample::{Increment, RateIntegrator, Rates};
 pub use crate::solution::{EarthFixedSolution, Euler, Output, Solution};
 pub use crate::strapdown::correction::Correction;
 pub use crate::strapdown::limits::{Limits, Rejected, StartError};

@@ -3,6 +3,7 @@
 //! The two are different types, since taking one for the other is the field's commonest and
 //! costliest mistake. A sample's time is the end of its interval.
 
+use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::math::real::Twin as _;
 use crate::math::vector::Vector;
@@ -43,5 +44,76 @@ impl<R: Real> Increment<R> {
     pub fn from_twins([first, second, third]: [R::Twin; 3]) -> Self {
         let ((ax, ay), (az, vx), (vy, vz)) = (first.parts(), second.parts(), third.parts());
         Self { angle_b: Vector::new(ax, ay, az), velocity_b: Vector::new(vx, vy, vz) }
+    }
+}
+
+impl<R: Real> Increment<R> {
+    /// The integrals of rates that a unit has averaged over the sample, as most chips with a decimation
+    /// filter do: mean times interval, without any error of integration.
+    pub fn from_mean_rates(mean: &Rates<R>, interval_s: Pair<R>) -> Self {
+        Self {
+            angle_b: scaled(mean.rate_ib_b, interval_s),
+            velocity_b: scaled(mean.specific_force_b, interval_s),
+        }
+    }
+
+    /// The integrals of instantaneous rates over a sample, from those at its start and at its end: the
+    /// trapezoid.
+    ///
+    /// Per sample of h seconds it is off by h³/12 times the second derivative of the rate. Of an
+    /// oscillation of ω rad/s it so reads (ωh)²/12 too little: 0.08 % at 63 samples per cycle, 3 % at ten.
+    /// Coning and sculling of the rates are lost in the same measure, and no navigator brings them back:
+    /// where a unit can deliver increments, take those.
+    pub fn from_rates(start: &Rates<R>, end: &Rates<R>, interval_s: Pair<R>) -> Self {
+        // Δθ = ½h(ω₀ + ω₁) − h³ω″/12
+        let mean = |a: Vector<R>, b: Vector<R>| (a + b) * R::HALF;
+        let mean = Rates {
+            rate_ib_b: mean(start.rate_ib_b, end.rate_ib_b),
+            specific_force_b: mean(start.specific_force_b, end.specific_force_b),
+        };
+        Self::from_mean_rates(&mean, interval_s)
+    }
+}
+
+/// A rate times an interval, of which both parts count: a rounded one would be an error of scale.
+fn scaled<R: Real>(rate: Vector<R>, interval_s: Pair<R>) -> Vector<R> {
+    rate * interval_s.hi + rate * interval_s.lo
+}
+
+/// Turns the rates of a unit into increments, sample by sample: [`Increment::from_rates`] with a memory of
+/// the last rates.
+///
+/// ```
+/// use schuler::prelude::*;
+///
+/// let navigator = Navigator4::<f32>::from_rate_hz(100.0)?;
+/// # let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
+/// # let mut state = navigator.start(&Solution::new(Geodetic::default(), Vector::ZERO, level))?;
+/// let read = || Rates { rate_ib_b: Vector::ZERO, specific_force_b: Vector::new(0.0, 0.0, -9.78_f32) };
+/// let interval_s = Pair::new(100.0).reciprocal();
+/// // The rates at the start; then a sample whenever there are new ones.
+/// let mut rates = RateIntegrator::new(read());
+/// navigator.push(&mut state, rates.increment(read(), interval_s))?;
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RateIntegrator<R> {
+    last: Rates<R>,
+}
+
+impl<R: Real> RateIntegrator<R> {
+    /// With the rates at the instant that navigation starts at.
+    pub fn new(first: Rates<R>) -> Self {
+        Self { last: first }
+    }
+
+    /// The increment up to new rates, so many seconds after the last ones. The interval may be another one
+    /// each time; then hand it to the navigator, too, with
+    /// [`push_over`](crate::strapdown::mechanization::UnequalIntervals::push_over).
+    pub fn increment(&mut self, rates: Rates<R>, interval_s: Pair<R>) -> Increment<R> {
+        let increment = Increment::from_rates(&self.last, &rates, interval_s);
+        self.last = rates;
+        increment
     }
 }

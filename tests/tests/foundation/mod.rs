@@ -10,6 +10,8 @@ mod imu;
 mod normal_gravity;
 mod plausible;
 mod quaternion;
+mod rates;
+mod readout;
 mod real;
 mod solution;
 mod trajectory;

@@ -1,5 +1,6 @@
 //! Running states corrected: what was asked for is what the drift shows, and the flight goes on from there.
 
+use schuler::digest::Digest;
 use schuler::drift::compare::{Drift, drift};
 use schuler::earth::Geodetic;
 use schuler::flight::carried::Carried;
@@ -9,7 +10,7 @@ use schuler::math::vector::Vector;
 use schuler::record::Record;
 use schuler::solution::{Euler, Output as _, Solution};
 use schuler::strapdown::block::unequal::Unequal;
-use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A0, Parabola20, Window};
+use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A0, Window};
 use schuler::strapdown::correction::{Correction, MOST_POSITION, MOST_VELOCITY};
 use schuler::strapdown::frame::Frame;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;
@@ -41,10 +42,12 @@ fn apart(a: &Solution<f64>, b: &Solution<f64>) -> [f64; 3] {
     [position_ned, velocity_ned, attitude_ned].map(Vector::norm)
 }
 
-fn somewhere(numbers: &mut Numbers, most_latitude: f64) -> Solution<f64> {
+/// Anywhere between two latitudes, north or south.
+fn somewhere(numbers: &mut Numbers, [from, to]: [f64; 2]) -> Solution<f64> {
+    let latitude = 0.5 * (from + to) + numbers.within(0.5 * (to - from));
     Solution::new(
         Geodetic {
-            latitude: numbers.within(most_latitude),
+            latitude: latitude.copysign(numbers.within(1.0)),
             longitude: numbers.within(PI),
             altitude: 5000.0 + numbers.within(5000.0),
         },
@@ -53,6 +56,7 @@ fn somewhere(numbers: &mut Numbers, most_latitude: f64) -> Solution<f64> {
     )
 }
 
+/// Up to 8.7 km, 87 m/s and 2.6 rad, times a size.
 fn some_correction(numbers: &mut Numbers, size: f64) -> Correction<f64> {
     Correction {
         position_ned: numbers.vector(5000.0 * size),
@@ -64,37 +68,28 @@ fn some_correction(numbers: &mut Numbers, size: f64) -> Correction<f64> {
 /// What is missing to the correction asked for, over many places: m, m/s, rad, at most.
 fn missing<M: Mechanization<Real: Scalar>>(
     mechanization: &M,
-    most_latitude: f64,
+    latitudes: [f64; 2],
     size: f64,
 ) -> [f64; 3] {
     let mut numbers = Numbers(91);
     let mut most = [0.0; 3];
     for _ in 0..200 {
-        let initial = Solution::narrow(&somewhere(&mut numbers, most_latitude));
+        let initial = Solution::narrow(&somewhere(&mut numbers, latitudes));
         let correction = narrow(&some_correction(&mut numbers, size));
         let mut state = mechanization.start(&initial).unwrap();
         let before = mechanization.output(&state).wide();
         mechanization.correct(&mut state, &correction).unwrap();
         assert_eq!(mechanization.check(&state), Ok(()));
+        let after = mechanization.output(&state).wide();
         let widen = |v: Vector<M::Real>| v.map(Scalar::widen);
         let asked = Drift {
             position_ned: widen(correction.position_ned),
             velocity_ned: widen(correction.velocity_ned),
             attitude_ned: widen(correction.attitude_ned),
         };
-        // Both ways: the drift that shows, and the solution that has it.
-        let after = mechanization.output(&state).wide();
-        let shown = drift(&after, &before);
-        let parts = [
-            (shown.position_ned - asked.position_ned).norm(),
-            (shown.velocity_ned - asked.velocity_ned).norm(),
-            (shown.attitude_ned - asked.attitude_ned).norm(),
-        ];
-        let expected = apart(&after, &asked.added_to(&before));
-        for (most, part) in most.iter_mut().zip(parts).chain([]) {
-            *most = largest([*most, part]);
-        }
-        for (most, part) in most.iter_mut().zip(expected) {
+        // Against the solution that has this drift from the one before.
+        let parts = apart(&after, &asked.added_to(&before));
+        for (most, part) in most.iter_mut().zip(parts) {
             *most = largest([*most, part]);
         }
     }
@@ -105,14 +100,306 @@ fn strapdown<F: Frame<Real: Scalar>, W: Window>() -> Strapdown<F, W> {
     Strapdown::from_rate_hz(100.0).unwrap()
 }
 
+const MIDDLE: [f64; 2] = [0.0, 1.2];
+
+fn within(what: &str, got: [f64; 3], most: [f64; 3]) {
+    println!("{what}: {got:?}");
+    for (got, most) in got.into_iter().zip(most) {
+        assert!(got <= most, "{what}: {got:e} is above {most:e}");
+    }
+}
+
 #[test]
 fn what_is_asked_is_what_the_drift_shows() {
-    let check = |what: &str, got: [f64; 3], most: [f64; 3]| {
-        println!("{what}: {got:?}");
-        for (got, most) in got.into_iter().zip(most) {
-            assert!(got <= most, "{what}: {got:e} {most:e}");
-        }
+    // To the rounding floor; over kilometres the local-level frame is cut short by its series.
+    let local = strapdown::<Local, H0B4A0>();
+    let earth = strapdown::<Earth, H0B4A0>();
+    within("local", missing(&local, MIDDLE, 0.1), [5e-9, 2e-13, 2e-15]);
+    within("local, 8 km", missing(&local, MIDDLE, 1.0), [4e-6, 2e-13, 2e-15]);
+    within("earth", missing(&earth, MIDDLE, 0.1), [5e-9, 2e-13, 2e-15]);
+    within("earth, 8 km", missing(&earth, MIDDLE, 1.0), [5e-9, 2e-13, 2e-15]);
+    let local = LocalTextbook::from_rate_hz(100.0).unwrap();
+    let earth = EarthTextbook::from_rate_hz(100.0).unwrap();
+    within("local textbook", missing(&local, MIDDLE, 0.1), [5e-9, 3e-13, 2e-15]);
+    within("earth textbook", missing(&earth, MIDDLE, 0.1), [5e-9, 3e-13, 2e-15]);
+}
+
+#[test]
+fn close_to_the_poles() {
+    // Beyond 84° north is carried along; over the pole it is in Earth-fixed axes alone.
+    let local = strapdown::<Local, H0B4A0>();
+    let earth = strapdown::<Earth, H0B4A0>();
+    within("local", missing(&local, [1.44, 1.55], 0.1), [3e-9, 2e-12, 2e-15]);
+    within("earth", missing(&earth, [1.44, 1.55], 0.1), [3e-9, 2e-12, 2e-15]);
+    within("at the pole", missing(&earth, [1.5705, PI / 2.0], 1.0), [1e-8, 1e-11, 1e-13]);
+    let textbook = EarthTextbook::from_rate_hz(100.0).unwrap();
+    within("textbook", missing(&textbook, [1.5705, PI / 2.0], 1.0), [1e-8, 1e-11, 1e-13]);
+}
+
+#[test]
+fn single_precision_loses_nothing_of_a_correction() {
+    let local = strapdown::<LocalLevel<Pair<f32>>, H0B4A0>();
+    within("local", missing(&local, MIDDLE, 0.01), [2e-5, 2e-7, 5e-9]);
+    let local = strapdown::<LocalLevel<TwoFloat<f32>>, H0B4A0>();
+    within("local, two-float", missing(&local, MIDDLE, 0.01), [2e-5, 2e-7, 5e-9]);
+    let earth = strapdown::<EarthFixed<Pair<f32>>, H0B4A0>();
+    within("earth", missing(&earth, MIDDLE, 0.01), [2e-5, 2e-6, 5e-9]);
+    let earth = strapdown::<EarthFixed<TwoFloat<f32>>, H0B4A0>();
+    within("earth, two-float", missing(&earth, MIDDLE, 0.01), [2e-5, 2e-6, 5e-9]);
+    // Without compensation the state rounds, a metre in Earth-fixed axes.
+    let plain = strapdown::<EarthFixed<Plain<f32>>, H0B4A0>();
+    within("earth, plain", missing(&plain, MIDDLE, 0.01), [1.5, 1e-3, 1e-6]);
+}
+
+/// At any phase of a block, with samples that wait: no bit changes, before the first block either.
+fn zero_leaves<M: Mechanization<Real = f64, State: Record>>(mechanization: &M) {
+    let course = Course::new("manoeuvre", 1.0, 0.5);
+    let mut state = mechanization.start(&course.initial()).unwrap();
+    for &sample in &course.samples {
+        let before = bits(&state);
+        mechanization.correct(&mut state, &Correction::ZERO).unwrap();
+        let negative = Vector::new(-0.0, -0.0, -0.0);
+        let negative = Correction { velocity_ned: negative, ..Correction::ZERO };
+        mechanization.correct(&mut state, &negative).unwrap();
+        assert_eq!(bits(&state), before);
+        mechanization.push(&mut state, sample).unwrap();
+    }
+}
+
+#[test]
+fn a_zero_correction_leaves_every_bit() {
+    zero_leaves(&strapdown::<Local, H2B4A2>());
+    zero_leaves(&strapdown::<Earth, H4B4A0>());
+    zero_leaves(&LocalTextbook::from_rate_hz(100.0).unwrap());
+    zero_leaves(&EarthTextbook::from_rate_hz(100.0).unwrap());
+}
+
+/// Refused corrections change nothing.
+fn refuses<M: Mechanization<Real = f64, State: Record>>(mechanization: &M) {
+    let course = Course::new("manoeuvre", 1.0, 0.5);
+    let mut state = mechanization.start(&course.initial()).unwrap();
+    for &sample in &course.samples {
+        mechanization.push(&mut state, sample).unwrap();
+    }
+    let before = bits(&state);
+    let mut refused = |correction: Correction<f64>, why| {
+        assert_eq!(mechanization.correct(&mut state, &correction), Err(why), "{correction:?}");
+        assert_eq!(bits(&state), before, "{correction:?}");
     };
-    let double = [4e-9, 2e-12, 2e-15];
-    check("local", missing(&strapdown::<Local, H0B4A0>(), 1.2, 1.0), double);
+    let limits = [MOST_POSITION, MOST_VELOCITY, PI];
+    for (part, limit) in limits.into_iter().enumerate() {
+        for axis in 0..3 {
+            for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.001 * limit, -f64::MAX] {
+                let mut correction = Correction::ZERO;
+                let Correction { position_ned, velocity_ned, attitude_ned } = &mut correction;
+                let parts = [position_ned, velocity_ned, attitude_ned];
+                *parts.into_iter().nth(part).unwrap().each_mut()[axis] = wrong;
+                refused(correction, Rejected::Correction);
+            }
+        }
+    }
+    // Each component within its limit, but not all of them together.
+    let long = Vector::new(0.7, 0.7, 0.7) * MOST_POSITION;
+    refused(Correction { position_ned: long, ..Correction::ZERO }, Rejected::Correction);
+}
+
+#[test]
+fn refusals_leave_every_bit() {
+    refuses(&strapdown::<Local, H2B4A2>());
+    refuses(&strapdown::<Earth, H2B4A2>());
+    refuses(&LocalTextbook::from_rate_hz(100.0).unwrap());
+    refuses(&EarthTextbook::from_rate_hz(100.0).unwrap());
+}
+
+/// Too near a pole for local-level axes, and out of the shell that navigation goes on in.
+#[test]
+fn where_navigation_cannot_go() {
+    let initial = |latitude, altitude| {
+        let place = Geodetic { latitude, longitude: 1.0, altitude };
+        Solution::new(place, Vector::ZERO, Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 })
+    };
+    fn check<M: Mechanization<Real = f64, State: Record>>(
+        mechanization: &M,
+        initial: &Solution<f64>,
+        position_ned: Vector<f64>,
+        expected: Result<(), Rejected>,
+    ) {
+        let mut state = mechanization.start(initial).unwrap();
+        let before = bits(&state);
+        let correction = Correction { position_ned, ..Correction::ZERO };
+        assert_eq!(mechanization.correct(&mut state, &correction), expected);
+        assert_eq!(bits(&state) == before, expected.is_err());
+        assert_eq!(mechanization.check(&state), Ok(()));
+    }
+    let local = strapdown::<Local, H0B4A0>();
+    let earth = strapdown::<Earth, H0B4A0>();
+    let textbook = LocalTextbook::from_rate_hz(100.0).unwrap();
+    // 10 km from the pole, 200 m towards it.
+    let (polar, north) = (initial(PI / 2.0 - 1e4 / 6.4e6, 0.0), Vector::new(200.0, 0.0, 0.0));
+    check(&local, &polar, north, Err(Rejected::Pole));
+    check(&textbook, &polar, north, Err(Rejected::Pole));
+    check(&earth, &polar, north, Ok(()));
+    check(&local, &polar, north * 0.1, Ok(()));
+    let (high, up) = (initial(0.5, 999_000.0), Vector::new(0.0, 0.0, -2000.0));
+    check(&local, &high, up, Err(Rejected::Place));
+    check(&textbook, &high, up, Err(Rejected::Place));
+    check(&earth, &initial(0.0, 999_000.0), up, Err(Rejected::Place));
+    check(&local, &high, -up, Ok(()));
+}
+
+/// Off from the start, told the error within a block of its wait, and on the true way from there.
+fn follows<M: Mechanization<Real = f64, State: Record>>(mechanization: &M, most_m: f64) {
+    let course = Course::new("manoeuvre", 1.0, 20.0);
+    let free = course.miss_at_end(mechanization, |_, _| {});
+    for at in [500, 501, 502, 503] {
+        let mut told = false;
+        let wrong = some_correction(&mut Numbers(at), 0.05);
+        let end = course.miss_at_end(mechanization, |number, state| {
+            if number == 0 {
+                mechanization.correct(state, &wrong).unwrap();
+            } else if number == at {
+                let integrated = M::integrated(state);
+                let row = mechanization.output(state).wide();
+                assert!(course.miss(integrated, &row) > 10.0);
+                let truth = course.source.truth(integrated);
+                mechanization.correct(state, &drift(&truth, &row).into()).unwrap();
+                assert_eq!(mechanization.check(state), Ok(()));
+                told = true;
+            }
+        });
+        println!("{at}: {end:e}, {free:e} without errors");
+        assert!(told);
+        assert!(end <= free + most_m, "{at}: {end:e}, {free:e} without errors");
+    }
+}
+
+trait Ends {
+    fn miss_at_end<M: Mechanization<Real = f64>>(
+        &self,
+        mechanization: &M,
+        each: impl FnMut(u64, &mut M::State),
+    ) -> f64;
+}
+
+impl Ends for Course {
+    /// The distance from the truth at the end of a flight in which something is done after every sample.
+    fn miss_at_end<M: Mechanization<Real = f64>>(
+        &self,
+        mechanization: &M,
+        mut each: impl FnMut(u64, &mut M::State),
+    ) -> f64 {
+        let mut state = mechanization.start(&self.initial()).unwrap();
+        each(0, &mut state);
+        for (&sample, number) in self.samples.iter().zip(1..) {
+            mechanization.push(&mut state, sample).unwrap();
+            each(number, &mut state);
+        }
+        mechanization.finish(&mut state);
+        self.miss(self.samples.len() as u64, &mechanization.output(&state).wide())
+    }
+}
+
+#[test]
+fn a_wrong_navigator_follows_the_truth_once_told() {
+    follows(&strapdown::<Local, H0B4A0>(), 1e-8);
+    follows(&strapdown::<Earth, H0B4A0>(), 1e-8);
+    follows(&strapdown::<Local, H2B4A2>(), 1e-8);
+    follows(&strapdown::<Earth, H2B4A2>(), 1e-8);
+    follows(&strapdown::<Earth, H4B4A0>(), 1e-8);
+    follows(&strapdown::<Local, Unequal<H2B4A2>>(), 1e-8);
+    follows(&LocalTextbook::from_rate_hz(100.0).unwrap(), 1e-6);
+    follows(&EarthTextbook::from_rate_hz(100.0).unwrap(), 1e-6);
+}
+
+/// After the same correction in flight, both frames, and a start at the corrected state, fly the same way.
+#[test]
+fn frames_agree_after_a_correction() {
+    let course = Course::new("manoeuvre", 1.0, 20.0);
+    let correction = some_correction(&mut Numbers(7), 0.1);
+    let mut ends = Vec::new();
+    fn fly<F: Frame<Real = f64>>(course: &Course, correction: &Correction<f64>) -> [Solution<f64>; 2] {
+        let navigator = strapdown::<F, H0B4A0>();
+        let mut state = navigator.start(&course.initial()).unwrap();
+        let (before, after) = course.samples.split_at(1000);
+        before.iter().for_each(|&sample| navigator.push(&mut state, sample).unwrap());
+        navigator.correct(&mut state, correction).unwrap();
+        let mut fresh = navigator.start(&state.output().wide()).unwrap();
+        for &sample in after {
+            navigator.push(&mut state, sample).unwrap();
+            navigator.push(&mut fresh, sample).unwrap();
+        }
+        [state, fresh].map(|state| state.output().wide())
+    }
+    ends.extend(fly::<Local>(&course, &correction));
+    ends.extend(fly::<Earth>(&course, &correction));
+    let first = ends[0];
+    for other in &ends {
+        within("frames", apart(other, &first), [1e-8, 1e-9, 1e-13]);
+    }
+}
+
+/// In single precision the corrected flight is as good as any.
+#[test]
+fn single_precision_follows_the_truth_once_told() {
+    fn check<F: Frame<Real = f32>>(most_m: f64) {
+        let course = Course::new("manoeuvre", 1.0, 20.0);
+        let navigator = strapdown::<F, H0B4A0>();
+        let mut state = navigator.start(&Solution::narrow(&course.initial())).unwrap();
+        let wrong = some_correction(&mut Numbers(8), 0.02);
+        navigator.correct(&mut state, &narrow(&wrong)).unwrap();
+        let mut carried = Carried::default();
+        for (sample, number) in course.samples.iter().zip(1..) {
+            navigator.push(&mut state, carried.narrow(sample)).unwrap();
+            if number == 500 {
+                let row = state.output().wide();
+                assert!(course.miss(number, &row) > 10.0);
+                let correction = drift(&course.source.truth(number), &row).into();
+                navigator.correct(&mut state, &narrow(&correction)).unwrap();
+            }
+        }
+        let end = course.miss(course.samples.len() as u64, &state.output().wide());
+        println!("{end:e}");
+        assert!(end <= most_m, "{end:e}");
+    }
+    check::<LocalLevel<Pair<f32>>>(0.01);
+    check::<LocalLevel<TwoFloat<f32>>>(1e-3);
+    check::<EarthFixed<Pair<f32>>>(0.1);
+    check::<EarthFixed<TwoFloat<f32>>>(1e-3);
+}
+
+/// A corrected state goes on from its words bit for bit, with samples pending, and digests tell it from
+/// one that was not corrected.
+#[test]
+fn a_corrected_state_is_stored_and_digested_as_any() {
+    fn check<M: Mechanization<Real = f64, State: Record>>(mechanization: &M) {
+        let course = Course::new("manoeuvre", 1.0, 1.0);
+        let mut states = [0; 3].map(|_| mechanization.start(&course.initial()).unwrap());
+        let correction = some_correction(&mut Numbers(3), 0.01);
+        for (number, &sample) in course.samples.iter().enumerate() {
+            if number == 43 {
+                let [free, corrected, copy] = &mut states;
+                mechanization.correct(corrected, &correction).unwrap();
+                assert_eq!(M::integrated(corrected), M::integrated(free));
+                assert_ne!(bits(corrected), bits(free));
+                let mut words = bits(corrected).into_iter();
+                copy.record("", &mut |_, _| words.next().unwrap());
+                assert_eq!(mechanization.check(copy), Ok(()));
+            }
+            for state in &mut states {
+                mechanization.push(state, sample).unwrap();
+            }
+        }
+        let [free, corrected, copy] = states.map(|state| {
+            let mut digest = Digest::default();
+            digest.add(&state);
+            digest.value()
+        });
+        assert_eq!(corrected, copy);
+        assert_ne!(corrected, free);
+    }
+    check(&strapdown::<Local, H2B4A2>());
+    check(&strapdown::<Earth, H2B4A2>());
+    check(&strapdown::<Local, Unequal<H2B4A2>>());
+    check(&LocalTextbook::from_rate_hz(100.0).unwrap());
+    check(&EarthTextbook::from_rate_hz(100.0).unwrap());
 }

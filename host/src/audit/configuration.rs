@@ -23,12 +23,9 @@ pub type Words = Vec<(&'static str, u64)>;
 pub type See<'a> = dyn FnMut(u64, &Words, &Words) + 'a;
 
 /// The words of a state.
-pub fn words<S: Record + Copy>(state: &S) -> Words {
-    let (mut state, mut words) = (*state, Vec::new());
-    state.record("", &mut |name, bits| {
-        words.push((name, bits));
-        bits
-    });
+pub fn words<S: Record>(state: &S) -> Words {
+    let mut words = Vec::new();
+    state.record("", &mut |name, bits| words.push((name, bits)));
     words
 }
 

@@ -112,12 +112,9 @@ fn what_is_no_scalar_has_its_name_too() {
 fn named<S: Record + Clone>(axes: Axes, zero: &S, change: impl FnOnce(&mut S)) -> String {
     let configuration =
         Configuration { digits: Digits::Double, axes, method: Method::Textbook, window: [0, 1, 0] };
-    let standing = |mut solution: S| {
+    let standing = |solution: S| {
         let mut bytes = Vec::new();
-        solution.record("", &mut |_, bits| {
-            bytes.extend(bits.to_le_bytes());
-            bits
-        });
+        solution.record("", &mut |_, bits| bytes.extend(bits.to_le_bytes()));
         Standing { solution: bytes, ..Standing::default() }
     };
     let mut other = zero.clone();

@@ -54,7 +54,8 @@ use schuler::earth::{gravity, rotation_ned};
 use schuler::prelude::*;
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
-    let place = Geodetic { latitude: core::f32::consts::FRAC_PI_4, longitude: 0.3, altitude: 430.0 };
+    let place =
+        Geodetic { latitude: core::f32::consts::FRAC_PI_4, longitude: 0.3, altitude: 430.0 };
     let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
     let start = Solution::new(place, Vector::ZERO, level);
     let mut inertial = firmware::Inertial::new(&start)?;

@@ -11,7 +11,7 @@
 //! standard library, no fused multiplication and addition, no NaN in a state, and subnormal numbers
 //! that survive. −0 counts as what it is: it comes about by the same operations everywhere.
 
-use crate::record::Record;
+use crate::record::{Record, record};
 
 /// The state of a running digest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,19 +36,17 @@ impl Default for Digest {
 impl Digest {
     /// Takes in every field of a state.
     #[inline(always)]
-    pub fn add<S: Record + Copy>(&mut self, state: &S) {
-        let mut state = *state;
-        let mut lane = 0;
-        let mut lanes = self.lanes;
-        let mut words = self.words;
-        state.record("", &mut |_, bits| {
-            lanes[lane % 4] = mix(lanes[lane % 4], bits);
-            lane += 1;
-            words += 1;
-            bits
-        });
-        self.lanes = lanes;
-        self.words = words;
+    pub fn add<S: Record>(&mut self, state: &S) {
+        let mut adding = Adding { digest: *self, lane: 0 };
+        state.record("", &mut |_, bits| adding.word(bits));
+        *self = adding.digest;
+    }
+
+    /// The same for a state given as words.
+    pub fn add_words(&mut self, words: impl IntoIterator<Item = u64>) {
+        let mut adding = Adding { digest: *self, lane: 0 };
+        words.into_iter().for_each(|bits| adding.word(bits));
+        *self = adding.digest;
     }
 
     /// The digest of everything so far.
@@ -65,11 +63,22 @@ impl Digest {
 }
 
 impl Record for Digest {
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        for lane in &mut self.lanes {
-            lane.record(name, visit);
-        }
-        self.words.record(name, visit);
+    record!(lanes, words;);
+}
+
+/// A digest while it takes in a state.
+struct Adding {
+    digest: Digest,
+    lane: usize,
+}
+
+impl Adding {
+    #[inline(always)]
+    fn word(&mut self, bits: u64) {
+        let lanes = &mut self.digest.lanes;
+        lanes[self.lane % 4] = mix(lanes[self.lane % 4], bits);
+        self.lane += 1;
+        self.digest.words += 1;
     }
 }
 
@@ -101,8 +110,23 @@ impl Chain {
 
     /// Takes in the state after so many samples; a checkpoint if one is due.
     #[inline(always)]
-    pub fn add<S: Record + Copy>(&mut self, sample: u64, state: &S) -> Option<Checkpoint> {
+    pub fn add<S: Record>(&mut self, sample: u64, state: &S) -> Option<Checkpoint> {
         self.digest.add(state);
+        self.checkpoint(sample)
+    }
+
+    /// The same for a state given as words.
+    pub fn add_words(
+        &mut self,
+        sample: u64,
+        words: impl IntoIterator<Item = u64>,
+    ) -> Option<Checkpoint> {
+        self.digest.add_words(words);
+        self.checkpoint(sample)
+    }
+
+    #[inline(always)]
+    fn checkpoint(&mut self, sample: u64) -> Option<Checkpoint> {
         if sample < self.next {
             return None;
         }

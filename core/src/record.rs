@@ -7,23 +7,31 @@ use crate::math::vector::Vector;
 
 /// A state that can name its fields, to read them or to write them back.
 ///
-/// `visit` gets a field's name and its bits in the low end of a word, and returns the bits that the
-/// field shall have: the same to read. The order is fixed; a vector's components share its name.
+/// A field's bits stand in the low end of a word. The order is fixed, and the same for both; a vector's
+/// components share its name.
 pub trait Record {
-    /// Walks the fields; `name` is what the owner calls this one.
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64);
+    /// Shows every field's name and bits; `name` is what the owner calls this one.
+    fn record(&self, name: &'static str, read: &mut impl FnMut(&'static str, u64));
+
+    /// Writes the fields: `write` gets a field's name and its bits, and returns the bits that the field
+    /// shall have, which are the same for a field that stays as it is.
+    fn restore(&mut self, name: &'static str, write: &mut impl FnMut(&'static str, u64) -> u64);
 }
 
 macro_rules! record_numbers {
     ($($t:ty: $bits:expr, $back:expr;)+) => {
         $(impl Record for $t {
             #[inline(always)]
-            fn record(
+            fn record(&self, name: &'static str, read: &mut impl FnMut(&'static str, u64)) {
+                read(name, $bits(*self));
+            }
+            #[inline(always)]
+            fn restore(
                 &mut self,
                 name: &'static str,
-                visit: &mut impl FnMut(&'static str, u64) -> u64,
+                write: &mut impl FnMut(&'static str, u64) -> u64,
             ) {
-                *self = $back(visit(name, $bits(*self)));
+                *self = $back(write(name, $bits(*self)));
             }
         })+
     };
@@ -37,62 +45,85 @@ record_numbers! {
     f64: f64::to_bits, f64::from_bits;
 }
 
-#[cfg(feature = "micromath")]
-impl Record for crate::math::coarse::Coarse {
-    #[inline(always)]
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        self.0.record(name, visit);
-    }
-}
-
-macro_rules! record_fields {
-    ($t:ident: $($field:ident),+) => {
-        impl<T: Record> Record for $t<T> {
-            #[inline(always)]
-            fn record(
-                &mut self,
-                name: &'static str,
-                visit: &mut impl FnMut(&'static str, u64) -> u64,
-            ) {
-                $(self.$field.record(name, visit);)+
-            }
-        }
-    };
-}
-
-record_fields!(Pair: hi, lo);
-record_fields!(Vector: x, y, z);
-record_fields!(Quaternion: w, v);
-record_fields!(Geodetic: latitude, longitude, altitude);
-
-macro_rules! record_wrapper {
-    ($($t:ident),+) => {
-        $(impl<T: Record> Record for $t<T> {
-            #[inline(always)]
-            fn record(
-                &mut self,
-                name: &'static str,
-                visit: &mut impl FnMut(&'static str, u64) -> u64,
-            ) {
-                self.0.record(name, visit);
-            }
-        })+
-    };
-}
-
-record_wrapper!(Plain, TwoFloat);
-
-/// Lists fields of a struct for [`Record`], each under its own name.
+/// Lists a struct's fields for [`Record`]: `record!(field, ..)` gives each its own name,
+/// `record!(field, ..; field, ..)` gives those before the semicolon the owner's.
 macro_rules! record {
     ($($field:ident),+) => {
+        $crate::record::record!(@ [] [$($field)+]);
+    };
+    ($($whole:tt),+; $($field:ident),*) => {
+        $crate::record::record!(@ [$($whole)+] [$($field)*]);
+    };
+    (@ [$($whole:tt)*] [$($field:ident)*]) => {
         #[inline(always)]
-        fn record(
+        fn record(&self, _name: &'static str, read: &mut impl FnMut(&'static str, u64)) {
+            $(self.$whole.record(_name, read);)*
+            $(self.$field.record(stringify!($field), read);)*
+        }
+        #[inline(always)]
+        fn restore(
             &mut self,
-            _: &'static str,
-            visit: &mut impl FnMut(&'static str, u64) -> u64,
+            _name: &'static str,
+            write: &mut impl FnMut(&'static str, u64) -> u64,
         ) {
-            $(self.$field.record(stringify!($field), visit);)+
+            $(self.$whole.restore(_name, write);)*
+            $(self.$field.restore(stringify!($field), write);)*
         }
     };
 }
 pub(crate) use record;
+
+#[cfg(feature = "micromath")]
+impl Record for crate::math::coarse::Coarse {
+    record!(0;);
+}
+
+impl<T: Record> Record for Plain<T> {
+    record!(0;);
+}
+
+impl<T: Record> Record for TwoFloat<T> {
+    record!(0;);
+}
+
+impl<T: Record> Record for Pair<T> {
+    record!(hi, lo;);
+}
+
+impl<T: Record> Record for Vector<T> {
+    record!(x, y, z;);
+}
+
+impl<T: Record> Record for Quaternion<T> {
+    record!(w, v;);
+}
+
+impl<T: Record> Record for Geodetic<T> {
+    record!(latitude, longitude, altitude;);
+}
+
+impl<T: Record> Record for [T] {
+    #[inline(always)]
+    fn record(&self, name: &'static str, read: &mut impl FnMut(&'static str, u64)) {
+        for item in self {
+            item.record(name, read);
+        }
+    }
+    #[inline(always)]
+    fn restore(&mut self, name: &'static str, write: &mut impl FnMut(&'static str, u64) -> u64) {
+        for item in self {
+            item.restore(name, write);
+        }
+    }
+}
+
+impl<T: Record, const N: usize> Record for [T; N] {
+    #[inline(always)]
+    fn record(&self, name: &'static str, read: &mut impl FnMut(&'static str, u64)) {
+        self.as_slice().record(name, read);
+    }
+    #[inline(always)]
+    fn restore(&mut self, name: &'static str, write: &mut impl FnMut(&'static str, u64) -> u64) {
+        self.as_mut_slice().restore(name, write);
+    }
+}

@@ -93,13 +93,9 @@ pub fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// The bits of every field.
-pub fn bits<S: Record + Copy>(state: &S) -> Vec<u64> {
+pub fn bits<S: Record>(state: &S) -> Vec<u64> {
     let mut words = Vec::new();
-    let mut copy = *state;
-    copy.record("", &mut |_, word| {
-        words.push(word);
-        word
-    });
+    state.record("", &mut |_, word| words.push(word));
     words
 }
 

@@ -141,13 +141,10 @@ fn a_run_is_a_function_of_its_seed_and_number_and_goes_on_from_its_record() {
         emulator.emulate(&mut state, &perfect);
     }
     let mut words = Vec::new();
-    state.record("", &mut |_, word| {
-        words.push(word);
-        word
-    });
+    state.record("", &mut |_, word| words.push(word));
     let mut saved = words.into_iter();
     let mut restored = emulator.start(77, 0);
-    restored.record("", &mut |_, _| saved.next().unwrap());
+    restored.restore("", &mut |_, _| saved.next().unwrap());
     assert_eq!(saved.next(), None);
     assert_eq!(restored, state);
     assert_eq!(emulator.emulate(&mut restored, &perfect), run(1, 5)[10]);

@@ -3,7 +3,7 @@
 use super::catalogue::Entry;
 use crate::digest::Digest;
 use crate::math::compensated::Pair;
-use crate::record::Record;
+use crate::record::{Record, record};
 use crate::sample::Increment;
 use crate::solution::Solution;
 use crate::strapdown::limits::{Rejected, StartError};
@@ -123,8 +123,5 @@ fn step<M: Mechanization<Frame: Record>, E>(
 
 /// The configuration is not part of it.
 impl<M: Mechanization<State: Record>> Record for Flight<M> {
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        self.state.record(name, visit);
-        self.digest.record("digest", visit);
-    }
+    record!(state; digest);
 }

@@ -38,8 +38,10 @@ pub trait Fleet: Copy {
     fn bridged(&self) -> u32;
     /// Writes where it stands.
     fn write(&self, to: &mut Writer);
-    /// Walks the words of its state, to read them or to write them back.
-    fn words(&mut self, visit: &mut dyn FnMut(u64) -> u64);
+    /// Shows the words of its state.
+    fn words(&self, read: &mut dyn FnMut(u64));
+    /// Writes them: `write` gets a word and returns what it shall be.
+    fn restore(&mut self, write: &mut dyn FnMut(u64) -> u64);
     /// Whether the words that were written back can be its state.
     fn check(&self) -> Result<(), Refusal>;
     /// Shows the flight, whatever its mechanization.
@@ -96,8 +98,12 @@ impl<M: Entry> Fleet for LinkedFlight<M> {
         LinkedFlight::write(self, to);
     }
 
-    fn words(&mut self, visit: &mut dyn FnMut(u64) -> u64) {
-        self.record("", &mut |_, bits| visit(bits));
+    fn words(&self, read: &mut dyn FnMut(u64)) {
+        self.record("", &mut |_, bits| read(bits));
+    }
+
+    fn restore(&mut self, write: &mut dyn FnMut(u64) -> u64) {
+        Record::restore(self, "", &mut |_, bits| write(bits));
     }
 
     fn check(&self) -> Result<(), Refusal> {
@@ -185,9 +191,15 @@ macro_rules! fleet {
                     }
                 }
 
-                fn words(&mut self, visit: &mut dyn FnMut(u64) -> u64) {
+                fn words(&self, read: &mut dyn FnMut(u64)) {
                     match self {
-                        $(Self::$variant(fleet) => Fleet::words(fleet, visit),)+
+                        $(Self::$variant(fleet) => Fleet::words(fleet, read),)+
+                    }
+                }
+
+                fn restore(&mut self, write: &mut dyn FnMut(u64) -> u64) {
+                    match self {
+                        $(Self::$variant(fleet) => Fleet::restore(fleet, write),)+
                     }
                 }
 

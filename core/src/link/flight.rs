@@ -9,7 +9,7 @@ use super::refusal::Refusal;
 use crate::flight::catalogue::Entry;
 use crate::flight::flight::Flight;
 use crate::math::compensated::Pair;
-use crate::record::Record;
+use crate::record::{Record, record};
 use crate::sample::Increment;
 use crate::solution::Solution;
 use crate::strapdown::limits::Rejected;
@@ -47,7 +47,7 @@ impl<M: Entry> LinkedFlight<M> {
         let interval_s: Pair<M::Real> = bytes.pair().ok_or(Refusal::Malformed)?;
         let mut initial = Solution::default();
         let mut complete = true;
-        initial.record("", &mut |_, _| {
+        initial.restore("", &mut |_, _| {
             let bits = bytes.bits::<M::Real>();
             complete &= bits.is_some();
             bits.unwrap_or(0)
@@ -204,20 +204,11 @@ impl<M: Entry> LinkedFlight<M> {
         to.u32(self.came);
         to.u64(self.integrated());
         to.u64(self.digest());
-        self.output().record("", &mut |_, bits| {
-            to.bits::<M::Real>(bits);
-            bits
-        });
+        self.output().record("", &mut |_, bits| to.bits::<M::Real>(bits));
     }
 }
 
 /// All that goes on from sample to sample; the configuration and the policy are not part of it.
 impl<M: Entry> Record for LinkedFlight<M> {
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        self.flight.record(name, visit);
-        self.bridge.record("bridge", visit);
-        self.taken.record("taken", visit);
-        self.came.record("came", visit);
-        self.finished.record("finished", visit);
-    }
+    record!(flight; bridge, taken, came, finished);
 }

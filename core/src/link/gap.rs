@@ -124,14 +124,20 @@ impl<R: Real> Bridge<R> {
 }
 
 impl<R: Real + Record> Record for Bridge<R> {
-    fn record(&mut self, _: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
+    fn record(&self, _: &'static str, read: &mut impl FnMut(&'static str, u64)) {
+        u32::from(self.last.is_some()).record("has_last", read);
+        self.last.unwrap_or(Increment::ZERO).record("last", read);
+        self.missing.record("missing", read);
+        self.lost.record("lost", read);
+    }
+    fn restore(&mut self, _: &'static str, write: &mut impl FnMut(&'static str, u64) -> u64) {
         let mut has_last = u32::from(self.last.is_some());
-        has_last.record("has_last", visit);
+        has_last.restore("has_last", write);
         let mut last = self.last.unwrap_or(Increment::ZERO);
-        last.record("last", visit);
+        last.restore("last", write);
         self.last = (has_last != 0).then_some(last);
-        self.missing.record("missing", visit);
-        self.lost.record("lost", visit);
+        self.missing.restore("missing", write);
+        self.lost.restore("lost", write);
     }
 }
 

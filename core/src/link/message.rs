@@ -197,13 +197,10 @@ pub enum Body<'a> {
 
 impl<'a> Answer<'a> {
     /// Writes what every answer begins with.
-    pub fn write_begin(to: &mut Writer, answers: u32, boot: u32, mut counters: Counters) {
+    pub fn write_begin(to: &mut Writer, answers: u32, boot: u32, counters: Counters) {
         to.u32(answers);
         to.u32(boot);
-        counters.record("", &mut |_, count| {
-            to.u32(count as u32);
-            count
-        });
+        counters.record("", &mut |_, count| to.u32(count as u32));
     }
 
     /// Reads a target's frame; `None` if its payload is not what its kind needs.
@@ -212,7 +209,7 @@ impl<'a> Answer<'a> {
         let (answers, boot) = (bytes.u32()?, bytes.u32()?);
         let mut counters = Counters::default();
         let mut complete = true;
-        counters.record("", &mut |_, _| {
+        counters.restore("", &mut |_, _| {
             let count = bytes.u32();
             complete &= count.is_some();
             count.unwrap_or(0).into()

@@ -169,17 +169,14 @@ impl<F: Fleet> Application<F> {
         let flight = self.flight.as_mut().ok_or(Refusal::NotStarted)?;
         let (pieces, rest) = piece.as_chunks::<8>();
         let mut all = 0_u16;
-        flight.words(&mut |bits| {
-            all += 1;
-            bits
-        });
+        flight.words(&mut |_| all += 1);
         let have = if offset == 0 { 0 } else { self.restored.unwrap_or(words) };
         let end = usize::from(offset) + pieces.len();
         if words != all || !rest.is_empty() || offset > have || end > usize::from(words) {
             return Err(Refusal::Malformed);
         }
         let mut index = 0_usize;
-        flight.words(&mut |bits| {
+        flight.restore(&mut |bits| {
             let word = index.checked_sub(usize::from(offset)).and_then(|n| pieces.get(n));
             index += 1;
             word.map_or(bits, |word| u64::from_le_bytes(*word))

@@ -42,11 +42,7 @@ pub struct Motion<R> {
 }
 
 impl<R: Record> Record for Jet<R> {
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        self.value.record(name, visit);
-        self.first.record(name, visit);
-        self.second.record(name, visit);
-    }
+    record!(value, first, second;);
 }
 
 impl<R: Record> Record for Motion<R> {

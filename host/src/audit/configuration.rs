@@ -20,12 +20,9 @@ pub type Words = Vec<(&'static str, u64)>;
 pub type See<'a> = dyn FnMut(u64, &Words, &Words) + 'a;
 
 /// The words of a state.
-pub fn words<S: Record + Copy>(state: &S) -> Words {
-    let (mut state, mut words) = (*state, Vec::new());
-    state.record("", &mut |name, bits| {
-        words.push((name, bits));
-        bits
-    });
+pub fn words<S: Record>(state: &S) -> Words {
+    let mut words = Vec::new();
+    state.record("", &mut |name, bits| words.push((name, bits)));
     words
 }
 
@@ -90,7 +87,9 @@ impl Visitor for Start<'_> {
 
     fn visit<M: Entry>(self) -> Self::Result {
         let Self(interval_s, initial) = self;
-        Ok(Box::new(Stepping(FromDouble::<M>::start(interval_s, HIGHEST_ORDER, initial)?)))
+        // The bits are the same, and the host's navigators are there already.
+        let flown = FromDouble::<M::AnyInterval>::start(interval_s, HIGHEST_ORDER, initial)?;
+        Ok(Box::new(Stepping(flown)))
     }
 }
 

@@ -9,7 +9,6 @@ use schuler::digest;
 use schuler::flight::configuration::Configuration;
 use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
-use schuler::record::Record;
 use schuler::solution::Solution;
 
 /// How much of a flight is kept.
@@ -128,18 +127,6 @@ struct Recording {
     rows: u64,
 }
 
-/// Words as a state whose digest is asked for.
-#[derive(Clone, Copy)]
-struct Bits<'a>(&'a [u64]);
-
-impl Record for Bits<'_> {
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        for &word in self.0 {
-            visit(name, word);
-        }
-    }
-}
-
 impl Recording {
     fn new(names: &[&str], width: Width, cadence: Cadence) -> Self {
         let stage = |name: &&str| (Stage::new(name, width), digest::Chain::new(cadence.checkpoint));
@@ -152,7 +139,7 @@ impl Recording {
             stage.fields = words.iter().map(|(name, _)| name.to_string()).collect();
         }
         let words: Vec<u64> = words.iter().map(|&(_, bits)| bits).collect();
-        let checkpoint = digest.add(sample, &Bits(&words));
+        let checkpoint = digest.add_words(sample, words.iter().copied());
         stage.end = Some(Checkpoint { sample, digest: digest.value() });
         if sample <= self.rows || checkpoint.is_some() {
             stage.rows.push(Row { sample, words });

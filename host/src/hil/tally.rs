@@ -46,13 +46,10 @@ impl Tally {
 
     /// Adds what a target noticed between two boots.
     pub fn add_target(&mut self, noticed: &Counters) {
-        let (mut noticed, mut counts) = (*noticed, Vec::new());
-        noticed.record("", &mut |_, count| {
-            counts.push(count);
-            count
-        });
+        let mut counts = Vec::new();
+        noticed.record("", &mut |_, count| counts.push(count));
         let mut counts = counts.into_iter();
-        self.target.record("", &mut |_, sum| sum + counts.next().unwrap_or(0));
+        self.target.restore("", &mut |_, sum| sum + counts.next().unwrap_or(0));
     }
 
     /// What was noticed, beside what was put in and is noticed so.

@@ -111,12 +111,9 @@ impl Twin {
     }
 
     /// The words of its state, as they cross the line.
-    pub fn words(&mut self) -> Vec<u8> {
+    pub fn words(&self) -> Vec<u8> {
         let mut words = Vec::new();
-        self.flight.words(&mut |bits| {
-            words.extend_from_slice(&bits.to_le_bytes());
-            bits
-        });
+        self.flight.words(&mut |bits| words.extend_from_slice(&bits.to_le_bytes()));
         words
     }
 
@@ -128,16 +125,15 @@ impl Twin {
 
 /// An interval and an initial solution as they cross the line.
 fn beginning<R: Scalar + Record>(interval_s: Pair<f64>, initial: &Solution<f64>) -> Vec<u8> {
-    let interval_s = scalars::<R>(&mut Pair::<R>::narrow(interval_s));
-    [interval_s, scalars::<R>(&mut Solution::<R>::narrow(initial))].concat()
+    let interval_s = scalars::<R>(&Pair::<R>::narrow(interval_s));
+    [interval_s, scalars::<R>(&Solution::<R>::narrow(initial))].concat()
 }
 
 /// A record's words as scalars on the line.
-fn scalars<R: Scalar>(record: &mut impl Record) -> Vec<u8> {
+fn scalars<R: Scalar>(record: &impl Record) -> Vec<u8> {
     let mut bytes = Vec::new();
     record.record("", &mut |_, bits| {
         bytes.extend_from_slice(&bits.to_le_bytes()[..size_of::<R>()]);
-        bits
     });
     bytes
 }
@@ -148,7 +144,7 @@ impl Visitor for Narrow<'_> {
     type Result = Vec<u8>;
     fn visit<M: Entry>(self, _: &mut LinkedFlight<M>) -> Vec<u8> {
         let Self(sample, carried) = self;
-        scalars::<M::Real>(&mut carried.narrow::<M::Real>(sample))
+        scalars::<M::Real>(&carried.narrow::<M::Real>(sample))
     }
 }
 
@@ -184,7 +180,7 @@ impl Visitor for Vertical {
     type Result = Vec<u8>;
     fn visit<M: Entry>(self, _: &mut LinkedFlight<M>) -> Vec<u8> {
         let [hi, lo] = self.0.map(M::Real::narrow);
-        scalars::<M::Real>(&mut Pair { hi, lo })
+        scalars::<M::Real>(&Pair { hi, lo })
     }
 }
 
@@ -200,7 +196,7 @@ impl Visitor for Stand {
             came: flight.came(),
             integrated: flight.integrated(),
             digest: flight.digest(),
-            solution: scalars::<M::Real>(&mut flight.output()),
+            solution: scalars::<M::Real>(&flight.output()),
         }
     }
 }

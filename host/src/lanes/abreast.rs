@@ -95,7 +95,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         }
         self.apart = apart;
         if self.integrated() > 0 {
-            join(&mut self.together, &mut self.apart);
+            join(&mut self.together, &self.apart);
             self.joined = true;
         }
         Ok(())
@@ -120,7 +120,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         }
         self.apart = states;
         if self.joined {
-            join(&mut self.together, &mut self.apart);
+            join(&mut self.together, &self.apart);
         }
     }
 
@@ -165,7 +165,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
     fn states(&self) -> [State<F::Alone, W>; N] {
         let mut states = self.apart;
         if self.joined {
-            split(&mut { self.together }, &mut states);
+            split(&self.together, &mut states);
         }
         states
     }
@@ -238,35 +238,31 @@ impl Turns {
 }
 
 /// States of single runs into lanes.
-fn join<const N: usize>(together: &mut impl Record, apart: &mut [impl Record; N]) {
-    let mut runs = apart.each_mut().map(|state| words(state).into_iter());
+fn join<const N: usize>(together: &mut impl Record, apart: &[impl Record; N]) {
+    let mut runs = apart.each_ref().map(|state| words(state).into_iter());
     let mut turns = Turns(0);
-    together.record("", &mut |name, word| {
+    together.restore("", &mut |name, word| {
         let whose = &mut runs[turns.whose::<N>(name)];
         whose.iter_mut().filter_map(Iterator::next).last().unwrap_or(word)
     });
 }
 
 /// Lanes into states of single runs.
-fn split<const N: usize>(together: &mut impl Record, apart: &mut [impl Record; N]) {
+fn split<const N: usize>(together: &impl Record, apart: &mut [impl Record; N]) {
     let mut runs: [Vec<u64>; N] = array::from_fn(|_| Vec::new());
     let mut turns = Turns(0);
     together.record("", &mut |name, word| {
         runs[turns.whose::<N>(name)].iter_mut().for_each(|run| run.push(word));
-        word
     });
     for (state, words) in apart.iter_mut().zip(runs) {
         let mut words = words.into_iter();
-        state.record("", &mut |_, word| words.next().unwrap_or(word));
+        state.restore("", &mut |_, word| words.next().unwrap_or(word));
     }
 }
 
 /// Every field of a state.
-fn words(state: &mut impl Record) -> Vec<u64> {
+fn words(state: &impl Record) -> Vec<u64> {
     let mut words = Vec::new();
-    state.record("", &mut |_, word| {
-        words.push(word);
-        word
-    });
+    state.record("", &mut |_, word| words.push(word));
     words
 }

@@ -76,15 +76,16 @@ macro_rules! register {
         }
 
         impl Record for $name {
-            fn record(
+            fn record(&self, _: &'static str, read: &mut impl FnMut(&'static str, u64)) {
+                self.lanes().record(LANE, read);
+            }
+            fn restore(
                 &mut self,
                 _: &'static str,
-                visit: &mut impl FnMut(&'static str, u64) -> u64,
+                write: &mut impl FnMut(&'static str, u64) -> u64,
             ) {
                 let mut lanes = self.lanes();
-                for lane in &mut lanes {
-                    lane.record(LANE, visit);
-                }
+                lanes.restore(LANE, write);
                 *self = Self::from_lanes(lanes);
             }
         }

@@ -95,7 +95,7 @@ where
     let words = bits(&original);
     let mut copy = mechanization.start(&initial).map_err(refused)?;
     let mut rest = words.iter();
-    copy.record("", &mut |_, word| rest.next().copied().unwrap_or(!word));
+    copy.restore("", &mut |_, word| rest.next().copied().unwrap_or(!word));
     let mut differing = count(&bits(&copy), &words) + rest.len() as u64;
     for sample in samples.take(AFTER as usize) {
         for state in [&mut original, &mut copy] {
@@ -107,13 +107,9 @@ where
     Ok(vec![Check::never("words that differ", differing, why)])
 }
 
-fn bits<S: Record + Copy>(state: &S) -> Vec<u64> {
+fn bits<S: Record>(state: &S) -> Vec<u64> {
     let mut words = Vec::new();
-    let mut copy = *state;
-    copy.record("", &mut |_, word| {
-        words.push(word);
-        word
-    });
+    state.record("", &mut |_, word| words.push(word));
     words
 }
 

@@ -114,12 +114,9 @@ fn named<S: Record + Clone>(axes: Axes, zero: &S, change: impl FnOnce(&mut S)) -
         algorithm: Algorithm::Textbook,
         window: Configuration::ONE_SAMPLE,
     };
-    let standing = |mut solution: S| {
+    let standing = |solution: S| {
         let mut bytes = Vec::new();
-        solution.record("", &mut |_, bits| {
-            bytes.extend(bits.to_le_bytes());
-            bits
-        });
+        solution.record("", &mut |_, bits| bytes.extend(bits.to_le_bytes()));
         Standing { solution: bytes, ..Standing::default() }
     };
     let mut other = zero.clone();

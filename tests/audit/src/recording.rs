@@ -33,15 +33,9 @@ impl Stage {
     }
 
     /// Takes in the state after so many samples.
-    pub fn row<S: Record + Copy>(&mut self, sample: u64, state: &S, reader: &mut dyn Reader) {
+    pub fn row<S: Record>(&mut self, sample: u64, state: &S, reader: &mut dyn Reader) {
         self.last = sample;
-        reader.row(self.name, sample, &|visit| {
-            let mut state = *state;
-            state.record("", &mut |name, bits| {
-                visit(name, bits);
-                bits
-            });
-        });
+        reader.row(self.name, sample, &|visit| state.record("", &mut |name, bits| visit(name, bits)));
         if let Some(checkpoint) = self.chain.add(sample, state) {
             reader.checkpoint(self.name, checkpoint);
         }

@@ -9,11 +9,8 @@ use schuler::link::message::{MOST_WORDS, Request};
 
 /// The words of a flight's state.
 pub fn words_of(line: &Line) -> Vec<u64> {
-    let (mut flight, mut words) = (*line.target.flight().unwrap(), Vec::new());
-    flight.words(&mut |bits| {
-        words.push(bits);
-        bits
-    });
+    let mut words = Vec::new();
+    line.target.flight().unwrap().words(&mut |bits| words.push(bits));
     words
 }
 

@@ -43,11 +43,10 @@ pub fn answers(bytes: &[u8], mut show: impl FnMut(Header, Answer)) {
 }
 
 /// The words of a record as scalars on the line.
-pub fn scalars<R: Scalar>(mut record: impl Record) -> Vec<u8> {
+pub fn scalars<R: Scalar>(record: impl Record) -> Vec<u8> {
     let mut bytes = Vec::new();
     record.record("", &mut |_, bits| {
         bytes.extend_from_slice(&bits.to_le_bytes()[..size_of::<R>()]);
-        bits
     });
     bytes
 }

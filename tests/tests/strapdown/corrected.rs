@@ -317,7 +317,10 @@ fn frames_agree_after_a_correction() {
     let course = Course::new("manoeuvre", 1.0, 20.0);
     let correction = some_correction(&mut Numbers(7), 0.1);
     let mut ends = Vec::new();
-    fn fly<F: Frame<Real = f64>>(course: &Course, correction: &Correction<f64>) -> [Solution<f64>; 2] {
+    fn fly<F: Frame<Real = f64>>(
+        course: &Course,
+        correction: &Correction<f64>,
+    ) -> [Solution<f64>; 2] {
         let navigator = strapdown::<F, H0B4A0>();
         let mut state = navigator.start(&course.initial()).unwrap();
         let (before, after) = course.samples.split_at(1000);
@@ -382,7 +385,7 @@ fn a_corrected_state_is_stored_and_digested_as_any() {
                 assert_eq!(M::integrated(corrected), M::integrated(free));
                 assert_ne!(bits(corrected), bits(free));
                 let mut words = bits(corrected).into_iter();
-                copy.record("", &mut |_, _| words.next().unwrap());
+                copy.restore("", &mut |_, _| words.next().unwrap());
                 assert_eq!(mechanization.check(copy), Ok(()));
             }
             for state in &mut states {

@@ -35,7 +35,7 @@ impl<R: Scalar> Narrow<R> {
 /// A state that carries the given words.
 fn restored<S: Record + Copy>(state: &S, words: &[u64]) -> S {
     let (mut state, mut rest) = (*state, words.iter());
-    state.record("", &mut |_, _| *rest.next().unwrap());
+    state.restore("", &mut |_, _| *rest.next().unwrap());
     state
 }
 
@@ -184,11 +184,7 @@ fn what_cannot_be_is_refused() {
         strapdown.push(&mut state, sample).unwrap();
     }
     let mut names = Vec::new();
-    let mut copy = state;
-    copy.record("", &mut |name, word| {
-        names.push(name);
-        word
-    });
+    state.record("", &mut |name, _| names.push(name));
     let words = bits(&state);
     let refused = |name: &str, word: u64| {
         let field = names.iter().position(|&n| n == name).unwrap();

@@ -269,7 +269,7 @@ fn refuses<M: UnequalIntervals<Real = f64, State: Record>>(mechanization: &M) {
 
         let mut words = before.iter();
         let mut copy = other;
-        copy.record("", &mut |_, _| *words.next().unwrap());
+        copy.restore("", &mut |_, _| *words.next().unwrap());
         assert_eq!(bits(&copy), before);
         for state in [&mut state, &mut copy] {
             mechanization.push_over(state, sample, interval_s).unwrap();

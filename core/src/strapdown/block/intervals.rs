@@ -2,6 +2,7 @@
 
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
+use crate::record::Record;
 
 /// How the intervals of the stored samples are kept: not at all, or one by one.
 pub trait Intervals<R: Real>: Copy + Send {
@@ -17,8 +18,14 @@ pub trait Intervals<R: Real>: Copy + Send {
     fn history_s(&self) -> R;
     /// Sets it.
     fn set_history(&mut self, time_s: R);
-    /// Visits what is kept, by name.
-    fn each(&mut self, visit: impl FnMut(&'static str, &mut R));
+    /// Shows what is kept, as [`Record::record`] does.
+    fn record_kept(&self, read: &mut impl FnMut(&'static str, u64))
+    where
+        R: Record;
+    /// Writes what is kept, as [`Record::restore`] does.
+    fn restore_kept(&mut self, write: &mut impl FnMut(&'static str, u64) -> u64)
+    where
+        R: Record;
 }
 
 /// Every sample lasts the nominal interval.
@@ -50,7 +57,9 @@ impl<R: Real> Intervals<R> for Nominal {
     #[inline(always)]
     fn set_history(&mut self, _: R) {}
     #[inline(always)]
-    fn each(&mut self, _: impl FnMut(&'static str, &mut R)) {}
+    fn record_kept(&self, _: &mut impl FnMut(&'static str, u64)) {}
+    #[inline(always)]
+    fn restore_kept(&mut self, _: &mut impl FnMut(&'static str, u64) -> u64) {}
 }
 
 /// Samples of any length.
@@ -90,11 +99,21 @@ impl<R: Real, const N: usize> Intervals<R> for Kept<R, [R; N]> {
         self.history_s = time_s;
     }
     #[inline]
-    fn each(&mut self, mut visit: impl FnMut(&'static str, &mut R)) {
-        for excess in &mut self.excess {
-            visit("interval_excess", excess);
-        }
-        visit("interval_rest", &mut self.rest);
-        visit("history_time", &mut self.history_s);
+    fn record_kept(&self, read: &mut impl FnMut(&'static str, u64))
+    where
+        R: Record,
+    {
+        self.excess.record("interval_excess", read);
+        self.rest.record("interval_rest", read);
+        self.history_s.record("history_time", read);
+    }
+    #[inline]
+    fn restore_kept(&mut self, write: &mut impl FnMut(&'static str, u64) -> u64)
+    where
+        R: Record,
+    {
+        self.excess.restore("interval_excess", write);
+        self.rest.restore("interval_rest", write);
+        self.history_s.restore("history_time", write);
     }
 }

@@ -28,7 +28,6 @@ use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Solution;
 use crate::strapdown::block::body::BodyMotion;
-use crate::strapdown::block::inside::BlockSeries;
 use crate::strapdown::block::intervals::Intervals as _;
 use crate::strapdown::block::newton::Edges;
 use crate::strapdown::block::window::Window;

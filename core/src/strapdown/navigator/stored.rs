@@ -28,16 +28,24 @@ impl<R: Record> Record for Edges<R> {
 }
 
 impl<F: Frame<Real: Record> + Record, W: Window> Record for State<F, W> {
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        self.frame.record(name, visit);
-        for sample in self.samples.as_mut() {
-            sample.record("samples", visit);
-        }
-        self.filled.record("filled", visit);
-        self.pending.record("pending", visit);
-        self.integrated.record("integrated", visit);
-        self.seeded.record("seeded", visit);
-        self.intervals.each(|name, number| number.record(name, visit));
-        self.edges.record("edges", visit);
+    fn record(&self, name: &'static str, read: &mut impl FnMut(&'static str, u64)) {
+        self.frame.record(name, read);
+        self.samples.as_ref().record("samples", read);
+        self.filled.record("filled", read);
+        self.pending.record("pending", read);
+        self.integrated.record("integrated", read);
+        self.seeded.record("seeded", read);
+        self.intervals.record_kept(read);
+        self.edges.record("edges", read);
+    }
+    fn restore(&mut self, name: &'static str, write: &mut impl FnMut(&'static str, u64) -> u64) {
+        self.frame.restore(name, write);
+        self.samples.as_mut().restore("samples", write);
+        self.filled.restore("filled", write);
+        self.pending.restore("pending", write);
+        self.integrated.restore("integrated", write);
+        self.seeded.restore("seeded", write);
+        self.intervals.restore_kept(write);
+        self.edges.restore("edges", write);
     }
 }

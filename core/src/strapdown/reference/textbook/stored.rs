@@ -9,9 +9,5 @@ impl<R: Record> Record for Compensated<R> {
 }
 
 impl<F: TextbookFrame<Real: Record> + Record> Record for TextbookState<F> {
-    fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
-        self.frame.record(name, visit);
-        self.previous.record("previous", visit);
-        self.integrated.record("integrated", visit);
-    }
+    record!(frame; previous, integrated);
 }

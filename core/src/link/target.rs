@@ -5,7 +5,7 @@
 //! it does not move. What only targets say is not answered.
 
 use super::configuration::Configuration;
-use super::counters::Counters;
+use super::counters::{Counters, count};
 use super::decoder::Decoder;
 use super::fleet::Fleet;
 use super::flight::Taken;
@@ -138,7 +138,7 @@ impl<F: Fleet> Application<F> {
             Request::Sample { number, increment } => {
                 let taken = self.flying()?.take(*number, *increment)?;
                 if taken == Taken::Again {
-                    self.counters.repeated += 1;
+                    count(&mut self.counters.repeated);
                 } else {
                     self.time_ns = time_ns;
                 }
@@ -146,7 +146,7 @@ impl<F: Fleet> Application<F> {
             Request::Hold(vertical) => self.flying()?.hold(*vertical)?,
             Request::Finish { samples } => {
                 if self.flying()?.finish(*samples)? == Taken::Again {
-                    self.counters.repeated += 1;
+                    count(&mut self.counters.repeated);
                 }
             }
         }
@@ -171,7 +171,7 @@ impl<F: Fleet> Application<F> {
         let (pieces, rest) = piece.as_chunks::<8>();
         let mut all = 0_u16;
         flight.words(&mut |bits| {
-            all += 1;
+            all = all.saturating_add(1);
             bits
         });
         let have = if offset == 0 { 0 } else { self.restored.unwrap_or(words) };

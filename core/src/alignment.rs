@@ -28,6 +28,7 @@ pub struct Alignment<R> {
 /// Why there is no alignment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum AlignmentError {
     /// No sample was given.
     Empty,

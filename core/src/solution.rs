@@ -41,7 +41,7 @@ impl<R: Real> Euler<R> {
     ///
     /// Where the pitch is ±90°, only ψ ∓ γ is determined; whatever the rounding makes of ψ and γ there,
     /// the three angles lead back to the same attitude. Where nothing is left of ψ ± γ, the roll is 0.
-    pub fn of_quaternion(q: Quaternion<R>) -> Self {
+    pub fn from_quaternion(q: Quaternion<R>) -> Self {
         let Quaternion { w, v: Vector { x, y, z } } = q;
         // w + y = √2 cos(45° − ½θ) cos ½(ψ − γ),  z − x = √2 cos(45° − ½θ) sin ½(ψ − γ)
         // w − y = √2 cos(45° + ½θ) cos ½(ψ + γ),  z + x = √2 cos(45° + ½θ) sin ½(ψ + γ)
@@ -103,7 +103,7 @@ impl<R: Real> Solution<R> {
 
     /// The attitude as angles.
     pub fn euler(&self) -> Euler<R> {
-        Euler::of_quaternion(self.attitude.map(|c| c.hi))
+        Euler::from_quaternion(self.attitude.map(|c| c.hi))
     }
 
     /// The same state in Earth-fixed axes, to about twice the digits.

@@ -179,7 +179,7 @@ fn units<R: Scalar>(
     let force_is_right = off(R::ONE) < limit;
     let mut force = Explanations::NONE;
     if !force_is_right {
-        force = Explanations::of(&force_units, kind, readings.interval_s, limit, off);
+        force = Explanations::from_units(&force_units, kind, readings.interval_s, limit, off);
         keep_rivals(&mut force);
     }
     let rotation = R::of(earth::ROTATION_RATE);
@@ -197,7 +197,7 @@ fn units<R: Scalar>(
     if !rate_is_right {
         let rate_units = RateUnit::ALL.map(|unit| (unit, unit.si()));
         let limit = R::of(RATE_FIT);
-        rate = Explanations::of(&rate_units, kind, readings.interval_s, limit, fits);
+        rate = Explanations::from_units(&rate_units, kind, readings.interval_s, limit, fits);
         keep_rivals(&mut rate);
     }
     // A header is wrong for both or for none.

@@ -157,7 +157,7 @@ impl<U: Copy, R: Scalar> Explanations<U, R> {
 
     /// Every unit in both kinds but the first as it stands, of which `misfit` says how far off SI
     /// readings less by a factor would be; those beyond `limit` are none.
-    pub fn of(
+    pub fn from_units(
         units: &[(U, f64)],
         said: Kind,
         interval_s: R,

@@ -1,6 +1,20 @@
 //! What went wrong on the link, counted where it is noticed.
+//!
+//! One rule for every number of 32 bits that counts up on the link:
+//!
+//! | what | at its end | such as |
+//! |---|---|---|
+//! | the number of a frame, or of a start | wraps to 0: only differences are looked at | [`Header::sequence`](super::frame::Header::sequence), `boot` |
+//! | a statistic | stays at its largest value: it never looks as if nothing had happened | everything in [`Counters`] |
+//! | the number of a sample | is refused: a sample counts once, or not at all | [`Bridge`](super::gap::Bridge)'s missing ones |
 
 use crate::record::{Record, record};
+
+/// One more of a statistic.
+#[inline]
+pub(super) fn count(statistic: &mut u32) {
+    *statistic = statistic.saturating_add(1);
+}
 
 /// What a decoder dropped, by reason.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,7 +35,8 @@ pub struct Dropped {
 impl Dropped {
     /// All of them.
     pub fn total(&self) -> u32 {
-        self.stuffing + self.check + self.long + self.short + self.kind
+        let Self { stuffing, check, long, short, kind } = *self;
+        [check, long, short, kind].into_iter().fold(stuffing, u32::saturating_add)
     }
 }
 

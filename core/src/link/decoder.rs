@@ -1,7 +1,7 @@
 //! Frames out of a stream of bytes, of which any may be wrong, missing or too many.
 
 use super::bytes::Bytes;
-use super::counters::Dropped;
+use super::counters::{Dropped, count};
 use super::frame::{CHECK, CRC, Frame, Header, LEAST_FRAME, MOST_FRAME};
 use super::kind::Kind;
 use cobs::{DecodeResult, DecoderState};
@@ -48,19 +48,19 @@ impl Decoder {
             return None;
         }
         let Some(stuffed) = self.buffer.get_mut(..length) else {
-            self.dropped.long += 1;
+            count(&mut self.dropped.long);
             return None;
         };
         match frame(stuffed) {
             Ok(frame) => Some(frame),
             Err(fault) => {
-                let count = match fault {
+                let reason = match fault {
                     Fault::Stuffing => &mut self.dropped.stuffing,
                     Fault::Check => &mut self.dropped.check,
                     Fault::Short => &mut self.dropped.short,
                     Fault::Kind => &mut self.dropped.kind,
                 };
-                *count += 1;
+                count(reason);
                 None
             }
         }
@@ -91,7 +91,7 @@ fn frame(stuffed: &mut [u8]) -> Result<Frame<'_>, Fault> {
     let (Some(kind), Some(sequence), Some(time_ns)) = (bytes.u8(), bytes.u32(), bytes.u64()) else {
         return Err(Fault::Short);
     };
-    let kind = Kind::of(kind).ok_or(Fault::Kind)?;
+    let kind = Kind::from_code(kind).ok_or(Fault::Kind)?;
     Ok(Frame { header: Header { kind, sequence, time_ns }, payload: bytes.0 })
 }
 

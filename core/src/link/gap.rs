@@ -1,5 +1,6 @@
 //! What a missing sample does: it ends the run, or it is filled from its neighbours.
 
+use super::counters::count;
 use crate::math::real::Real;
 use crate::record::Record;
 use crate::sample::Increment;
@@ -72,8 +73,10 @@ impl<R: Real> Bridge<R> {
             if self.policy == Policy::Refuse {
                 return Err(Missing.into());
             }
-            self.missing += 1;
-            self.lost += 1;
+            // One less than all, so that the sample after them has a number, too.
+            let next = self.missing.checked_add(1).filter(|&missing| missing < u32::MAX);
+            self.missing = next.ok_or(Missing)?;
+            count(&mut self.lost);
             return Ok(());
         };
         let before = self.last.unwrap_or(sample);

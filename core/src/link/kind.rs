@@ -11,7 +11,7 @@ macro_rules! kinds {
 
         impl Kind {
             /// From its code.
-            pub fn of(code: u8) -> Option<Self> {
+            pub fn from_code(code: u8) -> Option<Self> {
                 match code {
                     $($code => Some(Self::$name),)+
                     _ => None,

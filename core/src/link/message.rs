@@ -228,7 +228,7 @@ impl<'a> Answer<'a> {
             }),
             Kind::Restoring => Body::Restoring { words: bytes.u16()? },
             Kind::Refused => {
-                Body::Refused { refusal: Refusal::of(bytes.u8()?)?, taken: bytes.u32()? }
+                Body::Refused { refusal: Refusal::from_code(bytes.u8()?)?, taken: bytes.u32()? }
             }
             _ => return None,
         };

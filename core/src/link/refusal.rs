@@ -8,6 +8,7 @@ use core::fmt::{self, Display, Formatter};
 /// The reason. But for [`Refusal::Damaged`], nothing has changed but counters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Refusal {
     /// It navigates nothing: it has just been switched on.
     NotStarted,
@@ -45,7 +46,7 @@ macro_rules! codes {
             }
 
             /// Back from [`Refusal::code`].
-            pub fn of(code: u8) -> Option<Self> {
+            pub fn from_code(code: u8) -> Option<Self> {
                 match code {
                     $($code => Some(Self::$refusal $(($cause::$reason))?),)+
                     _ => None,
@@ -133,9 +134,9 @@ mod tests {
     #[test]
     fn every_reason_comes_back_from_the_line() {
         for &refusal in Refusal::ALL {
-            assert_eq!(Refusal::of(refusal.code()), Some(refusal));
+            assert_eq!(Refusal::from_code(refusal.code()), Some(refusal));
         }
-        let known = (0..=u8::MAX).filter(|&code| Refusal::of(code).is_some()).count();
+        let known = (0..=u8::MAX).filter(|&code| Refusal::from_code(code).is_some()).count();
         assert_eq!(known, Refusal::ALL.len());
     }
 }

@@ -1,6 +1,6 @@
 //! Sequence numbers at the receiver: what is missing, what came twice, what came late.
 
-use super::counters::Counters;
+use super::counters::{Counters, count};
 
 /// How a frame stands to those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,16 +33,16 @@ impl Sequence {
         let ahead = self.last.map_or(1, |last| number.wrapping_sub(last).cast_signed());
         match ahead {
             1.. => {
-                counters.missing = counters.missing.wrapping_add(ahead.unsigned_abs() - 1);
+                counters.missing = counters.missing.saturating_add(ahead.unsigned_abs() - 1);
                 self.last = Some(number);
                 Arrival::New
             }
             0 => {
-                counters.duplicated += 1;
+                count(&mut counters.duplicated);
                 Arrival::Duplicate
             }
             _ => {
-                counters.late += 1;
+                count(&mut counters.late);
                 Arrival::Late
             }
         }

@@ -4,7 +4,7 @@
 //! new one by what it asks for, one that came again or too late by where the navigator stands, which
 //! it does not move. What only targets say is not answered.
 
-use super::counters::Counters;
+use super::counters::{Counters, count};
 use super::decoder::Decoder;
 use super::fleet::Fleet;
 use super::flight::Taken;
@@ -137,7 +137,7 @@ impl<F: Fleet> Application<F> {
             Request::Sample { number, increment } => {
                 let taken = self.flying()?.take(*number, *increment)?;
                 if taken == Taken::Again {
-                    self.counters.repeated += 1;
+                    count(&mut self.counters.repeated);
                 } else {
                     self.time_ns = time_ns;
                 }
@@ -145,7 +145,7 @@ impl<F: Fleet> Application<F> {
             Request::Hold(vertical) => self.flying()?.hold(*vertical)?,
             Request::Finish { samples } => {
                 if self.flying()?.finish(*samples)? == Taken::Again {
-                    self.counters.repeated += 1;
+                    count(&mut self.counters.repeated);
                 }
             }
         }
@@ -169,7 +169,7 @@ impl<F: Fleet> Application<F> {
         let flight = self.flight.as_mut().ok_or(Refusal::NotStarted)?;
         let (pieces, rest) = piece.as_chunks::<8>();
         let mut all = 0_u16;
-        flight.words(&mut |_| all += 1);
+        flight.words(&mut |_| all = all.saturating_add(1));
         let have = if offset == 0 { 0 } else { self.restored.unwrap_or(words) };
         let end = usize::from(offset) + pieces.len();
         if words != all || !rest.is_empty() || offset > have || end > usize::from(words) {

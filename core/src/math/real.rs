@@ -118,8 +118,7 @@ pub trait Scalar: Real + PartialOrd {
     fn narrow(x: f64) -> Self;
 }
 
-/// The constants of a [`Real`] that is made of another one: `wrapped_constants!(f32, Self)` within the
-/// implementation, with the type inside and the constant function or constructor that wraps it.
+#[doc(hidden)]
 #[macro_export]
 macro_rules! wrapped_constants {
     ($inner:ty, $wrap:path) => {
@@ -138,3 +137,8 @@ macro_rules! wrapped_constants {
         };
     };
 }
+
+/// The constants of a [`Real`] that is made of another one: `wrapped_constants!(f32, Self)` within the
+/// implementation, with the type inside and the constant function or constructor that wraps it.
+#[doc(inline)]
+pub use wrapped_constants;

@@ -8,6 +8,7 @@ use core::fmt::{self, Display, Formatter};
 /// A number that a sensor model is made from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Parameter {
     /// Sample interval.
     Interval,
@@ -42,6 +43,7 @@ pub enum Parameter {
 /// What is wrong with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Fault {
     /// Infinite, or not a number.
     NotFinite,

@@ -35,6 +35,7 @@ impl<R: Real> Default for Limits<R> {
 /// Why a sample, a vertical to hold or a correction was not taken. The state is as it was, bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Rejected {
     /// An angle increment that is not finite, or above the limit.
     Angle,
@@ -86,6 +87,7 @@ impl core::error::Error for Rejected {}
 /// Why navigation cannot start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum StartError {
     /// The sampling interval is not above 0 s and at most 1 s.
     Interval,

@@ -77,6 +77,7 @@ pub struct Channels<'a, R> {
 /// Why there is no such trajectory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum CourseError {
     /// More harmonics than the trajectory has room for.
     TooManyHarmonics {

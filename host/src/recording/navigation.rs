@@ -42,7 +42,7 @@ impl NavigationRow {
     /// A solution at a time, as it stands (a navigator folds its angles itself).
     pub fn new<R: Scalar>(time_s: f64, solution: &Solution<R>) -> Self {
         let whole = |pair: Pair<R>| pair.hi.widen() + pair.lo.widen();
-        let Euler { roll, pitch, yaw } = Euler::of_quaternion(solution.attitude.map(whole));
+        let Euler { roll, pitch, yaw } = Euler::from_quaternion(solution.attitude.map(whole));
         Self {
             time_s,
             position: solution.position.map(whole),

@@ -34,7 +34,7 @@ fn angles_to_quaternion_and_back() {
         let euler = Euler { roll, pitch, yaw };
         let q = euler.quaternion();
         assert!(apart(q, angles) <= 1e-15);
-        let back = Euler::of_quaternion(q);
+        let back = Euler::from_quaternion(q);
         for (a, b) in [(back.roll, roll), (back.pitch, pitch), (back.yaw, yaw)] {
             assert!((a - b).abs() <= 1e-12, "{back:?} {euler:?}");
         }
@@ -66,16 +66,16 @@ fn angles_lead_back_to_the_attitude_everywhere() {
         };
         let euler = Euler { roll: angle(), pitch, yaw: angle() };
         let q = euler.quaternion();
-        let back = Euler::of_quaternion(q);
+        let back = Euler::from_quaternion(q);
         assert!(between(back.quaternion(), q) <= 4e-15, "{euler:?} {back:?}");
         assert!(back.roll.abs() <= PI && back.yaw.abs() <= PI && back.pitch.abs() <= FRAC_PI_2);
         assert!((back.pitch - pitch).abs() <= 1e-15, "{euler:?} {back:?}");
         // A quaternion's length is not part of its attitude.
-        let long = Euler::of_quaternion(q * 1.001);
+        let long = Euler::from_quaternion(q * 1.001);
         assert!(between(long.quaternion(), q) <= 4e-15, "{euler:?} {long:?}");
 
         let single = q.map(|c| c as f32);
-        let back = Euler::of_quaternion(single).quaternion();
+        let back = Euler::from_quaternion(single).quaternion();
         let apart = between(back.map(f64::from), single.map(f64::from));
         assert!(apart <= 1e-6, "{euler:?} {apart:e}");
     }
@@ -85,7 +85,7 @@ fn angles_lead_back_to_the_attitude_everywhere() {
 #[test]
 fn straight_up_there_is_no_roll() {
     for (pitch, yaw) in [(FRAC_PI_2, 0.25), (-FRAC_PI_2, -0.75)] {
-        let back = Euler::of_quaternion(Euler { roll: 0.0, pitch, yaw }.quaternion());
+        let back = Euler::from_quaternion(Euler { roll: 0.0, pitch, yaw }.quaternion());
         assert!(back.roll == 0.0 && (back.yaw - yaw).abs() < 1e-15, "{back:?}");
     }
 }

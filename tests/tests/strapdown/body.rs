@@ -275,7 +275,7 @@ fn the_textbooks_sample_turns_velocity_completely() {
     let mut numbers = Numbers(74);
     for turn in [0.0, 1e-5, 1e-3, 0.05, 0.2] {
         let sample = Increment { angle_b: numbers.vector(turn), velocity_b: numbers.vector(0.1) };
-        let body = Compensated::of(&sample, &sample);
+        let body = Compensated::from_samples(&sample, &sample);
         let expected = constant(sample.angle_b, sample.velocity_b, 1.0);
         let rest = body.rotation - (expected.rotation + Quaternion::IDENTITY);
         // Its series end at θ⁶/40320 and the like.

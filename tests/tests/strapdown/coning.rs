@@ -42,7 +42,7 @@ fn drifts<W: Window, const P: usize>(samples_per_cycle: u32) -> [f64; 2] {
     let edge = |j: usize| start + j as f64 * beta;
     let samples: [_; P] = std::array::from_fn(|j| increment(edge(j), edge(j + 1)));
     let (own, _) = W::integrate(&samples, 1.0, W::TERMS, false).unwrap();
-    let (fit, sum) = Fit::<f64, P>::of_any(&samples, W::HISTORY, W::BLOCK);
+    let (fit, sum) = Fit::<f64, P>::from_any(&samples, W::HISTORY, W::BLOCK);
     let (long, _): (_, Series<f64, 23>) = integrate(&fit, &Sum::rounded(sum), 1.0, 22);
     let truth = rotation(0.3, 0.3 + W::BLOCK as f64 * beta);
     [own, long].map(|body| {
@@ -88,7 +88,8 @@ fn leading_terms_at_many_samples_per_cycle() {
 fn residual_drift_of_the_textbook() {
     for (samples_per_cycle, expected) in [(10, 1.6e-3), (20, 5.0e-5), (100, 1.6e-8)] {
         let beta = TAU / f64::from(samples_per_cycle);
-        let body = Compensated::of(&increment(0.3, 0.3 + beta), &increment(0.3 - beta, 0.3));
+        let body =
+            Compensated::from_samples(&increment(0.3, 0.3 + beta), &increment(0.3 - beta, 0.3));
         let rest = rotation(0.3, 0.3 + beta).conjugate() * body.rotation;
         let drift = rest.rotation_vector().z.abs() / (CONE * CONE);
         assert_near(drift, expected, &format!("{samples_per_cycle}"));

@@ -180,7 +180,7 @@ fn windows_at_the_ends_of_a_stream_are_inverses_too() {
         for history in 0..=all - block {
             let exact = inverse(matrix(history, block, all, all));
             for j in 0..all {
-                let (fit, sum) = Fit::<f64, MOST_SAMPLES>::of_any(&unit(all, j), history, block);
+                let (fit, sum) = Fit::<f64, MOST_SAMPLES>::from_any(&unit(all, j), history, block);
                 let own = (history..history + block).contains(&j);
                 assert_eq!(sum, if own { unit(1, 0)[0] } else { Increment::ZERO });
                 for k in 0..MOST_SAMPLES {
@@ -209,7 +209,7 @@ fn each_axis<const P: usize>(history: usize, block: usize) {
     let (single, double) = (table_f32::<P>(history, block), table_f64::<P>(history, block));
     for j in 0..P {
         let samples: [_; P] = unit(P, j).try_into().unwrap();
-        let (fit, sum) = Fit::of(&samples, history, block, &single, &double);
+        let (fit, sum) = Fit::from_samples(&samples, history, block, &single, &double);
         let own = (history..history + block).contains(&j);
         assert_eq!(sum, if own { unit(1, 0)[0] } else { Increment::ZERO });
         for (k, row) in double.iter().enumerate() {

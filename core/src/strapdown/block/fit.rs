@@ -37,7 +37,7 @@ impl<R: Real, const K: usize> Fit<R, K> {
     /// Of `P` samples, by a table in either precision, with the sum of the block that follows `history`
     /// samples; a window is `symmetric` if as many follow the block.
     #[inline(always)]
-    pub fn of<const P: usize>(
+    pub fn from_samples<const P: usize>(
         samples: &[Increment<R>; P],
         history: usize,
         block: usize,
@@ -83,7 +83,11 @@ impl<R: Real, const K: usize> Fit<R, K> {
     }
 
     /// Of any number of samples up to `K`, with the table worked out on the spot, and the block's sum.
-    pub fn of_any(samples: &[Increment<R>], history: usize, block: usize) -> (Self, Increment<R>) {
+    pub fn from_any(
+        samples: &[Increment<R>],
+        history: usize,
+        block: usize,
+    ) -> (Self, Increment<R>) {
         let mut fit = Self { rate: [Vector::ZERO; K], force: [Vector::ZERO; K] };
         let count = samples.len().min(MOST_SAMPLES);
         let table = Table::interpolating(history, block, count);

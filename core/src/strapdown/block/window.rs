@@ -87,7 +87,7 @@ macro_rules! fit {
     ($through:ident, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {{
         const SINGLE: &[[f32; $k]; $k] = &table_f32::<$k>($h, $b);
         const DOUBLE: &[[f64; $k]; $k] = &table_f64::<$k>($h, $b);
-        Fit::of($samples, $h, $b, SINGLE, DOUBLE)
+        Fit::from_samples($samples, $h, $b, SINGLE, DOUBLE)
     }};
 }
 

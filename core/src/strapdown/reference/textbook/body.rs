@@ -18,7 +18,7 @@ pub struct Compensated<R> {
 impl<R: Real> Compensated<R> {
     /// Of a sample and the one before it.
     #[inline(always)]
-    pub fn of(sample: &Increment<R>, previous: &Increment<R>) -> Self {
+    pub fn from_samples(sample: &Increment<R>, previous: &Increment<R>) -> Self {
         let (angle, velocity) = (sample.angle_b, sample.velocity_b);
         let twelfth = R::of(1.0 / 12.0);
         // φ = Δθ + ¹⁄₁₂ Δθ′ × Δθ

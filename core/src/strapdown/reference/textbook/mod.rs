@@ -106,7 +106,7 @@ impl<F: TextbookFrame> Textbook<F> {
     ) -> Result<Compensated<F::Real>, Rejected> {
         self.gate.admit(&sample)?;
         state.frame.check_place()?;
-        let body = Compensated::of(&sample, &state.previous);
+        let body = Compensated::from_samples(&sample, &state.previous);
         state.frame.step(self.interval, &body);
         state.previous = sample;
         state.integrated += 1;
@@ -131,7 +131,7 @@ impl<F: TextbookFrame> Textbook<F> {
         let longer = interval_s / self.interval;
         let shorter = self.interval / interval_s;
         state.frame.stretch(longer);
-        let body = Compensated::of(&sample, &scaled(&state.previous, longer));
+        let body = Compensated::from_samples(&sample, &scaled(&state.previous, longer));
         state.frame.step(interval_s, &body);
         state.frame.stretch(shorter);
         state.previous = scaled(&sample, shorter);

@@ -4,7 +4,7 @@ use schuler_host::audit::chain::Chain;
 use schuler_host::audit::compare::compare;
 use schuler_host::audit::configuration::all;
 use schuler_host::audit::record::{Cadence, record};
-use schuler_host::audit::{golden, sensitivity};
+use schuler_host::audit::{functions, golden, sensitivity};
 use schuler_host::scene::{Precision, builtin};
 use std::path::Path;
 use std::process::{Command, Output};
@@ -30,6 +30,30 @@ fn this_build_has_the_golden_bits() {
     for verdict in verdicts {
         assert_eq!(verdict.parting, None, "{}", verdict.chain);
     }
+}
+
+#[test]
+fn a_libm_with_other_bits_is_named() {
+    let stored = std::fs::read_to_string(golden_folder().join(functions::FILE)).unwrap();
+    let folder = alone("turns", "noise", str::to_owned);
+    std::fs::copy(golden_folder().join("turns.toml"), folder.path().join("turns.toml")).unwrap();
+    let verify = |changed: &str| {
+        std::fs::write(folder.path().join(functions::FILE), changed).unwrap();
+        schuler(&["verify", folder.path().to_str().unwrap()])
+    };
+    let output = verify(&stored);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(printed(&output).contains("12 functions of libm"), "{output:?}");
+    let line = stored.lines().find(|line| line.starts_with("f32 atan2 ")).unwrap();
+    let output = verify(&stored.replace(line, "f32 atan2 0123456789abcdef"));
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let text = printed(&output);
+    let differing: Vec<_> = text.lines().filter(|line| line.contains("DIFFERS")).collect();
+    assert!(differing.len() == 1 && differing[0].starts_with("f32 atan2 "), "{text}");
+    assert!(text.contains("has other bits than the golden chains'"), "{text}");
+    assert!(text.contains("1 chains, 0 of them part"), "{text}");
+    let output = verify(&stored.replace(line, ""));
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 //! | module | what |
 //! |---|---|
 //! | `foundation` | arithmetic, the Earth, motion, the perfect unit, alignment |
+//! | `functions` | libm's bits |
 //! | `ulps` | every kernel against high precision |
 //! | `sensor_…` | error terms, their noise and their parameters |
 //! | `strapdown` | mechanizations, their windows and their states |
@@ -11,6 +12,7 @@
 //! | `theory`, `theory_…`, `ensemble` | what theory expects, and how runs scatter |
 //! | `lanes` | runs abreast |
 //! | `link` | frames, and the application at their end |
+//! | `release` | licences and version |
 //! | `matrix` | what the matrix of targets refuses |
 //! | `figures`, `speed` | the README's figures, and what the benchmarks fly |
 
@@ -19,10 +21,12 @@ mod ensemble;
 mod error_dynamics;
 mod figures;
 mod foundation;
+mod functions;
 mod lanes;
 mod link;
 mod matrix;
 mod plan;
+mod release;
 mod runge_kutta;
 mod sensor_allan;
 mod sensor_emulator;

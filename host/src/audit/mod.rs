@@ -8,6 +8,7 @@
 //! | `read` | and reading |
 //! | `label` | what words are called |
 //! | `golden` | folders of chains, flown again |
+//! | `functions` | digests of libm's functions beside them |
 //! | `pair` | two chains side by side |
 //! | `difference` | two values of a word |
 //! | `compare` | where two chains part |
@@ -19,6 +20,7 @@ pub mod chain;
 pub mod compare;
 pub mod configuration;
 pub mod difference;
+pub mod functions;
 pub mod golden;
 mod label;
 pub mod page;
@@ -68,6 +70,7 @@ fn record(args: &RecordArgs) -> Result<(), FlightError> {
         }
         say(&show::recorded(&scene.name, &chains).text())?;
     }
+    functions::record(&args.out, &provenance)?;
     say(&format!("written to {}\n", args.out.display()))?;
     Ok(())
 }
@@ -96,14 +99,18 @@ fn chosen(names: &[String]) -> Result<Vec<Configuration>, InputError> {
 }
 
 fn verify(args: &VerifyArgs) -> Result<(), FlightError> {
+    let functions = functions::verify(&args.folder)?;
+    say(&show::functions(functions.as_deref()))?;
+    let functions = functions.unwrap_or_default();
     let verdicts = golden::verify(&args.folder, &mut |verdict| say(&show::verdict(verdict)))?;
     let failed = verdicts.iter().filter(|verdict| verdict.parting.is_some()).count();
     say(&format!("{} chains, {failed} of them part\n", verdicts.len()))?;
     if let Some(folder) = &args.out {
         page::write(folder, "Golden chains", &show::verdicts(&verdicts), &verdicts)?;
     }
+    let failed = failed + functions.iter().filter(|function| !function.holds()).count();
     if failed > 0 {
-        return Err(FlightError::Failed { failed, checks: verdicts.len() });
+        return Err(FlightError::Failed { failed, checks: verdicts.len() + functions.len() });
     }
     Ok(())
 }

@@ -2,6 +2,7 @@
 
 use super::compare::{Growth, Parting};
 use super::difference::Difference;
+use super::functions;
 use super::golden::{Verdict, digest};
 use super::page::Table;
 use super::pair::{Common, Partly, Shorter};
@@ -27,6 +28,26 @@ pub fn recorded(scene: &str, chains: &[Named]) -> Table {
     let mut table = Table::new(scene, &["chain", "digest"]);
     table.rows.extend(chains.iter().map(|(stem, chain)| vec![stem.clone(), digest(chain)]));
     table
+}
+
+/// What became of libm's functions, and what it means where one differs.
+pub fn functions(verdicts: Option<&[functions::Verdict]>) -> String {
+    let version = env!("SCHULER_LIBM_VERSION");
+    let Some(verdicts) = verdicts else {
+        return format!("no {}: libm's functions are not compared\n", functions::FILE);
+    };
+    let mut text = String::new();
+    for verdict in verdicts.iter().filter(|verdict| !verdict.holds()) {
+        let functions::Verdict { function, stored, computed } = verdict;
+        text += &format!("{function:48} {stored}  DIFFERS: {computed}\n");
+    }
+    if text.is_empty() {
+        return format!("{} functions of libm {version}, the same bits\n", verdicts.len());
+    }
+    text + &format!(
+        "libm {version} of this build has other bits than the golden chains' in these functions. What \
+         calls them parts\nfor that alone: the golden bits take libm as Cargo.lock has it\n"
+    )
 }
 
 /// A line for a golden chain, and where the flight parts from it.

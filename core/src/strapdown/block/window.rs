@@ -191,12 +191,16 @@ macro_rules! windows {
         /// The shape of every named window.
         pub const NAMED: &[Shape] = &[$($name::SHAPE),+];
 
-        /// Calls a macro with the name of every window, behind what it is to be given first:
-        /// `every_window!(list! [frame])` is `list!([frame] H0B2A0, H0B3A0, …)`.
+        #[doc(hidden)]
         #[macro_export]
         macro_rules! every_window {
             ($d each:ident! $d($d first:tt)*) => { $d each! { $d($d first)* $($name),+ } };
         }
+
+        /// Calls a macro with the name of every window, behind what it is to be given first:
+        /// `every_window!(list! [frame])` is `list!([frame] H0B2A0, H0B3A0, …)`.
+        #[doc(inline)]
+        pub use every_window;
     };
 }
 

@@ -28,11 +28,8 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
 
     // 300 m, 2 m/s and 0.01 rad off.
     let off = Vector::new(200.0, -200.0, 100.0);
-    let wrong = Correction {
-        position_ned: off,
-        velocity_ned: off * 0.0067,
-        attitude_ned: off * 33e-6,
-    };
+    let wrong =
+        Correction { position_ned: off, velocity_ned: off * 0.0067, attitude_ned: off * 33e-6 };
     let navigator = Navigator4::<f64>::from_rate_hz(RATE_HZ)?;
     let mut state = navigator.start(&truth(0))?;
     navigator.correct(&mut state, &wrong)?;

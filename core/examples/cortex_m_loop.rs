@@ -51,16 +51,18 @@ mod firmware {
 }
 
 use schuler::earth::{gravity, rotation_ned};
+use schuler::math::real::Real;
 use schuler::prelude::*;
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
-    let place = Geodetic { latitude: core::f32::consts::FRAC_PI_4, longitude: 0.3, altitude: 430.0 };
+    let place =
+        Geodetic { latitude: core::f32::consts::FRAC_PI_4, longitude: 0.3, altitude: 430.0 };
     let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
     let start = Solution::new(place, Vector::ZERO, level);
     let mut inertial = firmware::Inertial::new(&start)?;
 
     // The chip: integrals of the true rates, of which each sample has the whole bits that are new.
-    let (sine, cosine) = f64::from(place.latitude).sin_cos();
+    let (sine, cosine) = Real::sin_cos(f64::from(place.latitude));
     let turned = rotation_ned(sine, cosine).into_array();
     let felt = [0.0, 0.0, -gravity(sine, f64::from(place.altitude))];
     let bits = |rate: f64, bit: f32, sample: i32| {

@@ -36,6 +36,7 @@ impl Default for Digest {
 impl Digest {
     /// Takes in every field of a state.
     #[inline(always)]
+    #[expect(clippy::indexing_slicing, reason = "below 4, the number of lanes")]
     pub fn add<S: Record + Copy>(&mut self, state: &S) {
         let mut state = *state;
         let mut lane = 0;

@@ -5,7 +5,7 @@
 //! | [`block`] | the body's motion over a block of samples: windows, fits, series |
 //! | [`frame`] | the step over a block in local-level or Earth-fixed axes |
 //! | [`navigator`] | samples in, blocks and rows out |
-//! | [`reference`] | what it is measured against: the textbook's algorithm, Runge-Kutta |
+//! | [`reference`](mod@reference) | what it is measured against: the textbook's algorithm, Runge-Kutta |
 //! | [`mechanization`] | what every mechanization has in common |
 //! | [`correction`] | corrections of a running state |
 //! | [`plan`] | the cheapest window for a motion |

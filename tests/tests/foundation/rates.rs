@@ -39,7 +39,8 @@ fn the_trapezoid_reads_too_little_by_the_square_of_the_interval() {
             sums.iter_mut().zip(numbers(sample)).for_each(|(sum, x)| *sum += x);
         }
         let exact = numbers(at(1.0).1);
-        for ((sum, exact), frequency) in sums.iter().zip(exact).zip([1.0, 2.0, 3.0, 0.5, 1.0, 1.5]) {
+        for ((sum, exact), frequency) in sums.iter().zip(exact).zip([1.0, 2.0, 3.0, 0.5, 1.0, 1.5])
+        {
             let missing = (exact - sum) / exact;
             near(missing, (frequency * interval_s).powi(2) / 12.0, 1e-3, "what is missing");
         }
@@ -58,10 +59,8 @@ fn unequal_intervals_each_have_their_own_error() {
         let (before, after) = (numbers(at(time_s).1), numbers(at(time_s + interval_s).1));
         let middle = at(time_s + 0.5 * interval_s).0;
         let frequencies = [1.0_f64, 2.0, 3.0, 0.5, 1.0, 1.5];
-        let middle = numbers(Increment {
-            angle_b: middle.rate_ib_b,
-            velocity_b: middle.specific_force_b,
-        });
+        let middle =
+            numbers(Increment { angle_b: middle.rate_ib_b, velocity_b: middle.specific_force_b });
         for axis in 0..6 {
             let error = sample[axis] - (after[axis] - before[axis]);
             let second = -frequencies[axis].powi(2) * middle[axis];

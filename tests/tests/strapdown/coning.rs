@@ -88,7 +88,8 @@ fn leading_terms_at_many_samples_per_cycle() {
 fn residual_drift_of_the_textbook() {
     for (samples_per_cycle, expected) in [(10, 1.6e-3), (20, 5.0e-5), (100, 1.6e-8)] {
         let beta = TAU / f64::from(samples_per_cycle);
-        let body = Compensated::from_samples(&increment(0.3, 0.3 + beta), &increment(0.3 - beta, 0.3));
+        let body =
+            Compensated::from_samples(&increment(0.3, 0.3 + beta), &increment(0.3 - beta, 0.3));
         let rest = rotation(0.3, 0.3 + beta).conjugate() * body.rotation;
         let drift = rest.rotation_vector().z.abs() / (CONE * CONE);
         assert_near(drift, expected, &format!("{samples_per_cycle}"));

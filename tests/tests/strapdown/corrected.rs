@@ -317,7 +317,10 @@ fn frames_agree_after_a_correction() {
     let course = Course::new("manoeuvre", 1.0, 20.0);
     let correction = some_correction(&mut Numbers(7), 0.1);
     let mut ends = Vec::new();
-    fn fly<F: Frame<Real = f64>>(course: &Course, correction: &Correction<f64>) -> [Solution<f64>; 2] {
+    fn fly<F: Frame<Real = f64>>(
+        course: &Course,
+        correction: &Correction<f64>,
+    ) -> [Solution<f64>; 2] {
         let navigator = strapdown::<F, H0B4A0>();
         let mut state = navigator.start(&course.initial()).unwrap();
         let (before, after) = course.samples.split_at(1000);

@@ -71,11 +71,8 @@ pub const MOST_VELOCITY: f64 = 1e4;
 
 impl<R: Real> Correction<R> {
     /// None: it leaves every bit of a state.
-    pub const ZERO: Self = Self {
-        position_ned: Vector::ZERO,
-        velocity_ned: Vector::ZERO,
-        attitude_ned: Vector::ZERO,
-    };
+    pub const ZERO: Self =
+        Self { position_ned: Vector::ZERO, velocity_ned: Vector::ZERO, attitude_ned: Vector::ZERO };
 
     /// Whether there is nothing to correct.
     pub(crate) fn is_zero(&self) -> bool {

@@ -13,7 +13,7 @@ use crate::strapdown::block::fit::Shape;
 /// [`MOST_SAMPLES`] or no block.
 ///
 /// ```
-/// # use schuler::strapdown::gain::gain_squared;
+/// # use schuler::strapdown::block::gain::gain_squared;
 /// let gain = |shape| f64::sqrt(gain_squared(shape));
 /// assert!((gain((0, 1, 0)) - 1.0).abs() < 1e-12);
 /// assert!((gain((2, 4, 2)) - 1.14).abs() < 0.01);

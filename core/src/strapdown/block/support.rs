@@ -16,7 +16,7 @@ use crate::strapdown::block::fit::Shape;
 /// each over its three axes.
 ///
 /// ```
-/// # use schuler::{math::vector::Vector, sample::Increment, strapdown::support::Differences};
+/// # use schuler::{math::vector::Vector, sample::Increment, strapdown::block::support::Differences};
 /// let mut differences = Differences::<f64>::new();
 /// for k in 0..100 {
 ///     // A cone of 2.5 samples per cycle.

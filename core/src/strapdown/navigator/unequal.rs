@@ -148,10 +148,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
     /// ```
     /// use schuler::math::compensated::Pair;
     /// use schuler::sample::Increment;
-    /// use schuler::strapdown::local_level::LocalLevel;
+    /// use schuler::strapdown::frame::local_level::LocalLevel;
     /// use schuler::strapdown::navigator::Strapdown;
-    /// use schuler::strapdown::unequal::Unequal;
-    /// use schuler::strapdown::window::H2B4A2;
+    /// use schuler::strapdown::block::unequal::Unequal;
+    /// use schuler::strapdown::block::window::H2B4A2;
     ///
     /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
     /// # use schuler::solution::{Euler, Solution};

@@ -5,6 +5,7 @@
 //! Black (1964).
 
 pub mod judge;
+pub mod place;
 mod scatter;
 pub mod signs;
 pub mod still;

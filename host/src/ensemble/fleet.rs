@@ -2,8 +2,9 @@
 //!
 //! A run depends on its number alone, so neither threads nor lanes show in the result.
 
-use super::group::{Failure, Ground, Group, Unit};
+use super::group::{Ground, Unit};
 use super::held::Held;
+use super::runs::{Failure, Group};
 use crate::navigator::Unavailable;
 use crate::scene::Vertical;
 use schuler::drift::compare::{Drift, drift};

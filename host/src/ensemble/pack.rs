@@ -1,7 +1,7 @@
 //! Runs abreast. A lane whose run has failed flies on as a copy of one whose run has not.
 
-use super::group::{Failure, Group};
 use super::held::Held;
+use super::runs::{Failure, Group};
 use crate::lanes::abreast::{Abreast, Packed, Refused, pack, replaced};
 use crate::source::{Samples, Source};
 use crate::timing;

@@ -4,7 +4,7 @@
 use crate::input::{Complaint, InputError, read_text};
 use crate::output;
 use schuler::digest::Digest;
-use schuler::math::real::{Real, Scalar};
+use schuler::math::real::Scalar;
 use schuler::noise::{Stream, Streams};
 use schuler::record::Record;
 use serde::Serialize;
@@ -168,6 +168,7 @@ fn parse(file: &str, text: &str) -> Result<Vec<Function>, InputError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use schuler::math::real::Real;
 
     #[test]
     fn one_ulp_of_one_value_is_another_digest() {

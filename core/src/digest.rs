@@ -25,6 +25,7 @@ pub struct Digest {
 const MULTIPLIER: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// Words that nobody counts beyond: a state of a hundred a nanosecond for years.
+#[cfg(feature = "link")]
 const MOST_WORDS: u64 = 1 << 62;
 
 impl Default for Digest {
@@ -55,6 +56,7 @@ impl Digest {
     }
 }
 
+#[cfg(feature = "link")]
 impl Digest {
     /// Whether it can be one: any lanes are, but not any number of words.
     pub(crate) fn is_plausible(&self) -> bool {

@@ -86,8 +86,8 @@ impl<R: Real> Radii<R> {
 
 /// Normal gravity γ at a latitude (its sine) and altitude, m/s², down along the ellipsoid's normal.
 ///
-/// Exact on the ellipsoid; above it a series of second order, without the component to the north. What it
-/// lacks of the [closed form](closed_form), in µg (9.80665e-6 m/s²):
+/// Exact on the ellipsoid; above it a series of second order in height, without the component to the north.
+/// Its difference from the [closed form](closed_form), in µg (9.80665e-6 m/s²):
 ///
 /// | altitude | down, 0° | down, 45° | down, 90° | north, 45° |
 /// |---|---|---|---|---|
@@ -99,8 +99,8 @@ impl<R: Real> Radii<R> {
 /// | 300 km | -350.9 | -374.7 | -398.9 | -240.7 |
 /// | 1000 km | -12437 | -12689 | -12943 | -741.8 |
 ///
-/// The Earth's own field departs from any normal gravity by tens of µg at the ground. Truth and navigation
-/// use the same series, so that a simulation does not show what a real flight would.
+/// The Earth's real field differs from normal gravity by tens of µg at the ground. Truth and navigation
+/// use the same series, so a simulation does not show this error of a real flight.
 #[inline]
 pub fn gravity<R: Real>(sine: R, altitude: R) -> R {
     // γ = γ_e(1 + k sin²φ)/√(1 − e² sin²φ) · [1 − (2/a)(1 + f + m − 2f sin²φ)h + 3h²/a²]
@@ -143,7 +143,7 @@ impl<R: Real> Geodetic<R> {
         )
     }
 
-    /// From an Earth-fixed position; anywhere but within 300 km of the Earth's centre.
+    /// From an Earth-fixed position at least 300 km from the Earth's centre.
     pub fn from_earth_fixed(position_e: Vector<R>) -> Self {
         let Vector { x, y, z } = position_e;
         let e2 = R::of(ECCENTRICITY_SQUARED);
@@ -161,7 +161,7 @@ impl<R: Real> Geodetic<R> {
             // Δφ = (z cosφ − p sinφ + e² N sinφ cosφ)/(R_M + h)
             latitude = latitude + (c * z - s * p + e2 * n * s * c) / (radii.meridian + altitude);
         }
-        // At a pole rounding may lead beyond it.
+        // At a pole rounding may exceed 90°.
         let most = R::of(core::f64::consts::FRAC_PI_2);
         latitude = R::select(most.less(latitude), most, latitude);
         latitude = R::select(latitude.less(-most), -most, latitude);

@@ -1,4 +1,4 @@
-//! One list of a state's fields: digest, storage, link and audit all walk it.
+//! One list of a state's fields, for digest, storage, link and audit.
 
 use crate::earth::Geodetic;
 use crate::math::compensated::{Pair, Plain, TwoFloat};
@@ -8,9 +8,9 @@ use crate::math::vector::Vector;
 /// A state that can name its fields, to read them or to write them back.
 ///
 /// `visit` gets a field's name and its bits in the low end of a word, and returns the bits that the
-/// field shall have: the same to read. The order is fixed; a vector's components share its name.
+/// field is to have; to read, it returns the same bits. The order is fixed. A vector's components share its name.
 pub trait Record {
-    /// Walks the fields; `name` is what the owner calls this one.
+    /// Visits the fields; `name` is this field's name in its owner.
     fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64);
 }
 

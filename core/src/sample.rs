@@ -1,7 +1,7 @@
 //! What an inertial unit delivers: instantaneous rates, or increments over a sample.
 //!
-//! The two are different types, since taking one for the other is the field's commonest and
-//! costliest mistake. A sample's time is the end of its interval.
+//! The two are different types, because confusing them is a common and costly mistake. A sample's
+//! time is the end of its interval.
 
 use crate::math::real::Real;
 use crate::math::real::Twin as _;
@@ -13,7 +13,7 @@ use crate::math::vector::Vector;
 pub struct Rates<R> {
     /// Angular rate of the body against inertial space, ω_ibᵇ, rad/s.
     pub rate_ib_b: Vector<R>,
-    /// Specific force, fᵇ, m/s²: what an accelerometer feels (−g upwards at rest).
+    /// Specific force, fᵇ, m/s²: what an accelerometer measures (at rest −g, that is, gravity's magnitude upwards).
     pub specific_force_b: Vector<R>,
 }
 

@@ -1,8 +1,8 @@
-//! Normal gravity in closed form, at any height: what the series of [`gravity`] leaves out.
+//! Normal gravity in closed form, at any height, to compare the series of [`gravity`] with.
 //!
 //! The gravity of the ellipsoid that is its own level surface has a form without series in ellipsoidal
 //! coordinates u and β: u the semi-minor axis of the confocal ellipsoid through the point, β its reduced
-//! latitude. Navigation and truth share the series; this says how far both are from it.
+//! latitude. Navigation and truth share the series; this shows its error.
 //! Source: Heiskanen & Moritz, *Physical Geodesy* (1967), §2-7 and §2-8, equations 2-66 to 2-74.
 
 use super::{

@@ -33,7 +33,7 @@ pub fn two_product<R: Real>(a: R, b: R) -> (R, R) {
 pub struct Pair<R> {
     /// The number rounded.
     pub hi: R,
-    /// What the rounding dropped.
+    /// The part that rounding dropped.
     pub lo: R,
 }
 
@@ -44,13 +44,13 @@ impl<R: Real> Pair<R> {
         Self { hi, lo: R::ZERO }
     }
 
-    /// A literal with what its rounding drops.
+    /// A literal with the part that rounding drops.
     #[inline(always)]
     pub fn of(literal: f64) -> Self {
         Self { hi: R::of(literal), lo: R::residual(literal) }
     }
 
-    /// The sum of two numbers, neither rounded away.
+    /// The sum of two numbers, exactly.
     #[inline(always)]
     pub fn sum(a: R, b: R) -> Self {
         let (hi, lo) = two_sum(a, b);

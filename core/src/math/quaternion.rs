@@ -1,7 +1,7 @@
-//! Rotations: unit quaternions, and the small ones that are stored less one.
+//! Rotations: unit quaternions, and small rotations that are stored as q − 1.
 //!
 //! `q` with subscript b→n takes body components to navigation components:
-//! xⁿ = q ⊗ xᵇ ⊗ q*. A rotation by a small angle is kept as e = q − 1, which has no bits to lose.
+//! xⁿ = q ⊗ xᵇ ⊗ q*. A rotation by a small angle is kept as e = q − 1, which does not lose bits beside 1.
 
 use super::real::{Number, Real};
 use super::vector::Vector;
@@ -85,7 +85,7 @@ impl<R: Real> Quaternion<R> {
         Self { w: self.w - k * (R::ONE + self.w), v: self.v - self.v * k }
     }
 
-    /// How much longer than one 1 + self is, to first order: ½(2eₛ + |e|²).
+    /// |1 + self| − 1 to first order: ½(2eₛ + |e|²).
     #[inline(always)]
     pub fn excess(self) -> R {
         (self.w + self.w + self.dot(self)) * R::HALF

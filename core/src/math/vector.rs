@@ -3,7 +3,7 @@
 use super::real::{Number, Real};
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A vector; the frame stands in the name of the variable that holds it.
+/// A vector; its frame is in the name of the variable that holds it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Vector<T> {

@@ -76,7 +76,8 @@ impl<R: Scalar> Scatter<R> {
             return Vector::ZERO;
         }
         // Σ(S_k − k m)² = ΣS_k² − 2m ΣkS_k + m² Σk²,  Σk² = n(n + 1)(2n + 1)/6.
-        // For n pieces of variance s² its mean is s²(n² − 1)/6, so the variance of the mean, s²/n, is 6/(n(n² − 1)) of it.
+        // For n pieces of variance s² its mean is s²(n² − 1)/6, so the variance of the mean, s²/n, is 6/(n(n²
+        // − 1)) of it.
         let n = R::count(self.count);
         let mean = self.sum * (R::ONE / n);
         let squares = n * (n + R::ONE) * (n + n + R::ONE) * R::ratio(1, 6);

@@ -1,7 +1,7 @@
 //! A solution less the truth, without cancellation.
 //!
-//! All differences are taken between the two-float coordinates first; what follows is a product with
-//! such a difference, so that 10⁻¹⁰ m shows beside an Earth's radius.
+//! All differences are taken between the two-float coordinates first, and everything else is a product with
+//! such a difference. So 10⁻¹⁰ m is visible beside the Earth's radius.
 
 use crate::earth::{ECCENTRICITY_SQUARED, Radii, SEMI_MAJOR_AXIS};
 use crate::math::compensated::Pair;
@@ -15,23 +15,23 @@ use crate::solution::Solution;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Drift<R = f64> {
     /// Position, m, along the true north, east and down: the horizontal components of the straight
-    /// chord from the true to the computed position, and the height lost.
+    /// chord from the true to the computed position, and the loss of height.
     pub position_ned: Vector<R>,
     /// Velocity, m/s: v_computedⁿ − v_trueⁿ, each in the north, east and down of its own position; beyond
     /// 84° of true latitude see [`POLAR_SINE`].
     pub velocity_ned: Vector<R>,
-    /// Attitude, rad: the rotation vector of C_bⁿ(computed)·C_bⁿ(true)ᵀ, each against the north, east
+    /// Attitude, rad: the rotation vector of C_bⁿ(computed)·C_bⁿ(true)ᵀ, each relative to the north, east
     /// and down of its own position; beyond 84° of true latitude see [`POLAR_SINE`].
     pub attitude_ned: Vector<R>,
 }
 
-/// sin 84°: the true latitude beyond which meridians are not compared. Where the universal polar
-/// stereographic grid takes over from meridians (NGA.SIG.0012, *The universal grids*), so does the drift.
+/// sin 84°: the true latitude beyond which meridians are not compared. It is the limit at which the universal
+/// polar stereographic grid begins (NGA.SIG.0012, *The universal grids*).
 ///
-/// There the angle between the two meridians tells of the position, not of the attitude or the velocity,
-/// and at the pole there is none. So the computed north is the true one, carried along the shortest way
-/// from the true to the computed position. It depends on the truth alone which rule holds: a drift and
-/// what theory expects of it are always of the same kind.
+/// Beyond it, the angle between the two meridians is an effect of the position error, not of attitude or
+/// velocity, and at the pole it is undefined. So the computed north is then the true one, carried along the
+/// shortest path from the true to the computed position. The truth alone decides which rule holds, so a drift
+/// and its theoretical value always follow the same rule.
 pub const POLAR_SINE: f64 = 0.994_521_895_368_273_3;
 
 /// The computed solution less the truth; both with latitudes within ±90°.
@@ -81,11 +81,11 @@ pub fn drift(computed: &Solution<f64>, truth: &Solution<f64>) -> Drift {
     }
 }
 
-/// The turn about down, rad, from the computed north to the true one, carried along the shortest way from
-/// the true to the computed position.
+/// The rotation about down, rad, from the computed north to the true one, which is carried along the shortest
+/// path from the true to the computed position.
 pub(super) fn convergence(computed: &Solution<f64>, truth: &Solution<f64>) -> f64 {
     let (c, t) = (computed.position, truth.position);
-    // q_y(φ + 90°) ⊗ q_z(Δλ) ⊗ q_y(−φ_c − 90°) is a tilt after a turn about down by α:
+    // q_y(φ + 90°) ⊗ q_z(Δλ) ⊗ q_y(−φ_c − 90°) is a rotation about down by α, followed by a tilt:
     // tan ½α = −sin ½Δλ sin ½(φ + φ_c)/(cos ½Δλ cos ½(φ_c − φ))
     let (sine, cosine) = Real::sin_cos(0.5 * difference(c.longitude, t.longitude));
     let (sin_mean, _) = Real::sin_cos(0.5 * (c.latitude.hi + t.latitude.hi));

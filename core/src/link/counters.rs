@@ -1,20 +1,20 @@
-//! What went wrong on the link, counted where it is noticed.
+//! Counters of errors on the link.
 
 use crate::record::{Record, record};
 
-/// What a decoder dropped, by reason.
+/// Frames that a decoder dropped, by reason.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Dropped {
     /// The stuffing leads beyond its end, or ends too soon.
     pub stuffing: u32,
-    /// The CRC is another.
+    /// The CRC does not match.
     pub check: u32,
     /// Longer than any frame.
     pub long: u32,
     /// Shorter than any frame.
     pub short: u32,
-    /// No kind of frame that is known here.
+    /// An unknown kind of frame.
     pub kind: u32,
 }
 
@@ -29,11 +29,11 @@ impl Record for Dropped {
     record!(stuffing, check, long, short, kind);
 }
 
-/// What a receiver noticed.
+/// Errors that a receiver noticed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counters {
-    /// What was no frame.
+    /// Dropped frames.
     pub dropped: Dropped,
     /// Sequence numbers that were jumped over: frames lost, broken, or overtaken.
     pub missing: u32,

@@ -1,11 +1,11 @@
-//! Hand-over to a narrower type: what rounding drops from a sample is added to the next.
+//! Conversion to a narrower type with carried rounding: what rounding drops from a sample is added to the next.
 
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
 use crate::record::{Record, record};
 use crate::sample::Increment;
 
-/// What the increments handed over so far lack of those taken in, for each axis.
+/// The sum of the increments taken in less that of the increments given out, for each axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Carried {

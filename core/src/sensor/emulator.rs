@@ -15,7 +15,7 @@ pub struct Emulator<R, G, A> {
     timing: Timing<R>,
 }
 
-/// What the sensors of one run remember.
+/// The state of the sensors of one run.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EmulatorState<G, A> {
@@ -23,7 +23,7 @@ pub struct EmulatorState<G, A> {
     pub gyro: G,
     /// Of the accelerometers' terms.
     pub accelerometer: A,
-    /// Samples in which some axis was beyond its limit.
+    /// Samples in which some axis exceeded its limit.
     pub saturated: u64,
 }
 
@@ -31,7 +31,7 @@ pub struct EmulatorState<G, A> {
 pub type State<R, G, A> = EmulatorState<<G as ErrorTerm<R>>::State, <A as ErrorTerm<R>>::State>;
 
 impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
-    /// From the errors of the gyros and of the accelerometers, made for the same timing.
+    /// From the error terms of the gyros and of the accelerometers, made for the same timing.
     pub fn new(gyro: G, accelerometer: A, timing: Timing<R>) -> Self {
         Self { gyro, accelerometer, timing }
     }
@@ -57,9 +57,9 @@ impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
         Increment { angle_b: gyro.increment, velocity_b: accelerometer.increment }
     }
 
-    /// The same for sensors that deliver rates: the errors of a sample, averaged over it, on the
-    /// instantaneous rates. So white noise is that of a bandwidth of half the sample rate, a bias is
-    /// the sample's mean, and a quantized output moves in steps of the least significant bit over
+    /// The same for sensors that deliver rates: the errors of a sample, averaged over it, are added to the
+    /// instantaneous rates. So white noise has a bandwidth of half the sample rate, a bias is its
+    /// mean over the sample, and a quantized output moves in steps of the least significant bit divided by
     /// the interval. A component without error passes unchanged.
     #[inline]
     pub fn emulate_rates(&self, state: &mut State<R, G, A>, perfect: &Rates<R>) -> Rates<R> {
@@ -79,7 +79,7 @@ impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
         }
     }
 
-    /// The rate that was read, given the perfect rate and the increments before and after.
+    /// The rate that is read, given the perfect rate and the increments without and with errors.
     #[inline]
     fn rate(&self, perfect: Vector<R>, before: Vector<R>, after: Vector<R>) -> Vector<R> {
         // a·Δt/Δt may differ from a by a unit in the last place.

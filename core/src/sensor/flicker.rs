@@ -10,13 +10,13 @@ use crate::math::vector::Vector;
 use crate::noise::{Deviate, Stream, Streams};
 use crate::record::{Record, record};
 
-/// As many decades as a 64-bit count of samples can have.
+/// The number of decades of a 64-bit count of samples.
 const DECADES: usize = 20;
 
 /// σ_i/B = √(ln 10/π).
 const POLE: f64 = 0.856_116_580_191_873;
 
-/// Bias instability. Its Allan variance is (2 ln2/π)B²: the deviation keeps to it within 4 % from ten
+/// Bias instability. Its Allan variance is (2 ln2/π)B²; the deviation is within 4 % of that from ten
 /// samples to a twentieth of the run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -25,7 +25,7 @@ pub struct Flicker<R> {
     poles: [Option<Process<R>>; DECADES],
 }
 
-/// The parts of the bias and what drives them.
+/// The parts of the bias and their random numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FlickerState<R> {
@@ -34,7 +34,7 @@ pub struct FlickerState<R> {
     streams: [Stream; 3],
 }
 
-/// The poles of a run: their correlation times, s, rising, and the rms of each over B.
+/// The poles of a run: their correlation times, s, in rising order, and the rms of each over B.
 pub fn poles<R: Deviate>(timing: Timing<R>) -> impl Iterator<Item = (R, R)> {
     let longest = timing.samples();
     let mut next = Some((1u64, timing.interval_s()));

@@ -1,4 +1,4 @@
-//! Misalignment: M·x, the sensor axes being turned a little against the body.
+//! Misalignment: M·x, for sensor axes that are rotated a little from the body axes.
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};
@@ -7,8 +7,8 @@ use crate::noise::{Deviate, Streams};
 
 /// A small rotation of the triad, to first order.
 ///
-/// m is the rotation vector that turns the body axes into the sensor axes. A vector x of the body
-/// frame has the components (I − [m×])x along the turned axes, so M = −[m×].
+/// m is the rotation vector from the body axes to the sensor axes. A vector with body components x
+/// has the components (I − [m×])x along the sensor axes, so M = −[m×].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Misalignment<R> {

@@ -1,6 +1,6 @@
 //! Random walk of the bias: rate random walk, acceleration random walk.
 //!
-//! The bias' step and the bias' integral over a sample are correlated, and drawn jointly.
+//! The step of the bias and its integral over a sample are correlated, and are drawn jointly.
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
@@ -18,7 +18,7 @@ pub struct RandomWalk<R> {
     independent: Vector<R>,
 }
 
-/// The bias and what drives it.
+/// The bias and its random numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RandomWalkState<R> {

@@ -1,4 +1,4 @@
-//! The fields of composed states, for [`Record`]: what goes on from them goes on bit for bit.
+//! The fields of composed states, for [`Record`]: from a restored state the run continues bit for bit.
 
 use crate::noise::Stream;
 use crate::record::Record;
@@ -27,7 +27,7 @@ impl<A: Record, B: Record> Record for (A, B) {
 }
 
 impl<T: Record> Record for Option<T> {
-    /// Whether there is anything is configuration, not state.
+    /// Whether the term is present is configuration, not state.
     fn record(&mut self, name: Name, visit: &mut impl FnMut(Name, u64) -> u64) {
         if let Some(present) = self {
             present.record(name, visit);

@@ -1,11 +1,11 @@
-//! Saturation: no axis reads beyond its limit.
+//! Saturation: no axis reads more than its limit.
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
 use crate::noise::{Deviate, Streams};
 
-/// Limits of the mean rate over a sample. A reading beyond them is cut, and marked.
+/// Limits of the mean rate over a sample. A larger reading is set to the limit, and marked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Saturation<R> {
@@ -19,7 +19,7 @@ impl<R: Deviate> Saturation<R> {
         let interval_s = timing.interval_s();
         let increment = limit.map(|rate| {
             let increment = rate * interval_s;
-            // As a rate again it must not come out above, by rounding.
+            // Converted back to a rate, it must not exceed the limit by rounding.
             let below = increment - increment * R::entry(6e-8, 1.2e-16);
             if increment / interval_s > rate { below } else { increment }
         });

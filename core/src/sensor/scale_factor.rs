@@ -1,4 +1,4 @@
-//! Scale factor error: S·x, positive where a sensor reads too much.
+//! Scale factor error: S·x, positive if the sensor reads too much.
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};

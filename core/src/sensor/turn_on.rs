@@ -22,7 +22,7 @@ impl<R: Deviate> TurnOn<R> {
 }
 
 impl<R: Deviate> ErrorTerm<R> for TurnOn<R> {
-    /// What this run's bias adds to every sample.
+    /// What the bias of this run adds to every sample.
     type State = Vector<R>;
 
     #[inline]

@@ -1,4 +1,4 @@
-//! What navigation accepts, and what it says where something is beyond that.
+//! The limits of navigation, and the errors beyond them.
 
 use crate::math::real::Real;
 
@@ -8,8 +8,8 @@ pub(crate) const FARTHEST: f64 = 1e6;
 /// Velocity, m/s, that navigation starts with at most.
 pub(crate) const FASTEST: f64 = 1e5;
 
-/// The largest angle that a block may turn by about one axis, rad: the series of a step are cut short,
-/// and are made for less.
+/// The largest angle that a block may turn by about one axis, rad. The series of a step are truncated and
+/// do not serve larger angles.
 pub const MOST_TURN: f64 = 2.0;
 
 /// The largest readings that can be right.
@@ -32,7 +32,7 @@ impl<R: Real> Default for Limits<R> {
     }
 }
 
-/// Why a sample, or a vertical to hold, was not taken. The state is as it was, bit for bit.
+/// Why a sample, or a held vertical, was refused. The state is unchanged, bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Rejected {
@@ -41,16 +41,16 @@ pub enum Rejected {
     /// A velocity increment that is not finite, or above the limit.
     Velocity,
     /// The local-level frame has come within a ten-thousandth of the Earth's radius of a pole, where
-    /// its axes end: the Earth-fixed frame goes on.
+    /// its axes are undefined. The Earth-fixed frame has no such limit.
     Pole,
-    /// Navigation has left the neighbourhood of the ellipsoid, 1000 km up or down.
+    /// The position is more than 1000 km above or below the ellipsoid.
     Place,
     /// A height or a vertical velocity to hold that is not finite, above 1000 km or above 10⁵ m/s.
     Held,
     /// An interval that is not finite, not above 0 s or above 1 s.
     Interval,
     /// An angle increment within the limit, but so large that a block of such samples would turn by more
-    /// than [`MOST_TURN`]: a window with a shorter block, or samples more often, would do.
+    /// than [`MOST_TURN`]. Use a window with a shorter block, or a higher rate.
     Turn,
 }
 
@@ -93,7 +93,7 @@ pub enum StartError {
     Attitude,
     /// The local-level frame cannot start at a pole.
     Pole,
-    /// The processor takes subnormal numbers for zero: its bits would be others than everywhere else.
+    /// The processor flushes subnormal numbers to zero, so its results would differ from those of others.
     FlushToZero,
 }
 

@@ -1,16 +1,16 @@
-//! What a window makes of noise: the gain from white noise in the samples to the fitted rate.
+//! The noise gain of a window: from white noise in the samples to the fitted rate.
 //!
 //! With t in samples, 0 at the window's newest edge, the polynomial through P increments x₀ (the newest),
 //! x₁, x₂ … is Newton's, w(t) = Σ_m ∇ᵐx₀ N_m(t), N_m = d/dt [t(t + 1)…(t + m)/(m + 1)!], m < P.
 //! As ∇ᵐx₀ = Σⱼ (−1)ʲ C(m, j) xⱼ, sample j weighs r_j(t) = Σ_m (−1)ʲ C(m, j) N_m(t), and the gain is
-//! gain² = (1/B) ∫ Σⱼ r_j² dt over the block: 1 for a sample's own rate, 1.1 for a window with as much
-//! history as look-ahead, 3 to 72 for a block at the end of a long one.
+//! gain² = (1/B) ∫ Σⱼ r_j² dt over the block. The gain is 1 for a single sample, 1.1 for a window with as much
+//! history as look-ahead, and 3 to 72 for a block at the end of a long window.
 
 use super::fit::MOST_SAMPLES;
 use crate::strapdown::block::fit::Shape;
 
-/// gain² of the window that interpolates `shape`'s samples; infinite where they are more than
-/// [`MOST_SAMPLES`] or no block.
+/// gain² of the window that interpolates `shape`'s samples; infinite if they are more than
+/// [`MOST_SAMPLES`], or if there is no block.
 ///
 /// ```
 /// # use schuler::strapdown::block::gain::gain_squared;

@@ -1,10 +1,10 @@
-//! Constants of a block's duration, worked out once per configuration.
+//! Constants of a block's duration, computed once per configuration.
 
 use crate::earth::{EQUATORIAL_GRAVITY, ROTATION_RATE};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 
-/// A block's duration T and what follows from it.
+/// A block's duration T and constants that follow from it.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BlockTime<R> {

@@ -1,16 +1,15 @@
 //! The navigator: samples go in one by one, states come out block by block.
 //!
-//! Look-ahead delays a row, it never changes it. The first block of a window that wants history looks
-//! ahead instead; the last ones look back; so a stream of any length ends with a row for every sample.
-
+//! Look-ahead delays a row but does not change it. The first block of a window with history looks
+//! ahead instead, and the last blocks look back. So a stream of any length ends with a row for every sample.
 //!
 //! | file | what it has |
 //! |---|---|
 //! | `edges` | the first and the last blocks of a stream |
 //! | `unequal` | blocks of samples of unequal intervals |
-//! | `rows` | who reads the rows within a block |
+//! | `rows` | whether and by whom rows within a block are read |
 //! | `mechanization` | the navigator as a mechanization |
-//! | `check`, `stored` | a state as bytes, and whether it can be one |
+//! | `check`, `stored` | a state as bytes, and its check |
 
 mod check;
 mod edges;
@@ -47,7 +46,7 @@ pub struct Strapdown<F: Frame, W> {
     window: PhantomData<W>,
 }
 
-/// State of a strapdown navigator: `Copy`, to store, compare or try out a future.
+/// State of a strapdown navigator: `Copy`, so that it can be stored, compared or used for a prediction.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct State<F: Frame, W: Window> {
@@ -61,7 +60,7 @@ pub struct State<F: Frame, W: Window> {
     /// Samples of the block that the gravity history belongs to; 0 before the first.
     pub(crate) seeded: usize,
     pub(crate) intervals: W::Intervals<F::Real>,
-    /// What the blocks at the edges were fitted through.
+    /// The number of samples that first and last blocks were fitted to.
     pub(crate) edges: Edges<F::Real>,
 }
 
@@ -76,7 +75,7 @@ impl<F: Frame, W: Window> State<F, W> {
         self.integrated
     }
 
-    /// Samples that the blocks at the edges were fitted through.
+    /// The number of samples that first and last blocks were fitted to.
     pub fn edges(&self) -> Edges<F::Real> {
         self.edges
     }
@@ -99,8 +98,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         })
     }
 
-    /// With a series of the order that [`plan::order`](crate::strapdown::plan::order) finds enough, at most the
-    /// window's own.
+    /// With a series of the order that [`plan::order`](crate::strapdown::plan::order) finds sufficient, at most
+    /// that of the window.
     pub fn with_order(self, order: usize) -> Self {
         Self { order: order.clamp(1, W::TERMS), ..self }
     }
@@ -154,7 +153,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         self.take(state, sample, R::ZERO, &mut Blocks(see))
     }
 
-    /// Integrates what is pending: the stream is at its end. More samples may follow all the same.
+    /// Integrates all pending samples, at the end of the stream. More samples may follow nevertheless.
     pub fn finish(&self, state: &mut State<F, W>) {
         self.last_blocks(state, &mut Unread);
     }
@@ -184,7 +183,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         excess: R,
         read: &mut impl Read<F>,
     ) -> Result<(), Rejected> {
-        // The first sample after a block is refused where the block led astray, and then every other.
+        // If a block ended at a place where navigation cannot continue, every following sample is refused.
         if state.pending <= W::LOOKAHEAD {
             state.frame.check_place()?;
         }
@@ -256,8 +255,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
     }
 
-    /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads. `excess`
-    /// is what its samples' intervals exceed the nominal one by, if any does.
+    /// Crosses a block: sets up the gravity history if the block's length is new, steps, reads rows. `excess`
+    /// has the differences of its samples' intervals from the nominal one; it is empty if there are none.
     #[inline(always)]
     fn step<const EDGE: bool, Q: Read<F>>(
         &self,

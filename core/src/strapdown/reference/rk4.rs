@@ -1,4 +1,4 @@
-//! Classical Runge-Kutta on instantaneous rates: the yardstick of those who have no increments.
+//! Classical Runge-Kutta on instantaneous rates: a standard of comparison for sensors without increments.
 //!
 //! A step spans two samples and takes the rates at its start, middle and end. The continuous equations
 //! in Earth-fixed axes (Groves, 2nd ed., §5.3) are integrated as they stand; the local error is of the

@@ -3,6 +3,24 @@
 //! At rest the accelerometers feel −g, straight up, and the gyros the Earth's rate, which has no
 //! component to the east. Source: Groves, 2nd ed., §5.6 (levelling and gyrocompassing); the triad of
 //! Black (1964).
+//!
+//! ```
+//! use schuler::alignment::Alignment;
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! // At 45° N, level, with the forward axis pointing 30° east of north; samples of 10 ms.
+//! let (rate, yaw) = (7.292115e-5_f64, 30_f64.to_radians());
+//! let (level, up) = (rate * 45_f64.to_radians().cos(), rate * 45_f64.to_radians().sin());
+//! let rate_b = Vector::new(level * yaw.cos(), -level * yaw.sin(), -up);
+//! let mut alignment = Alignment::default();
+//! for _ in 0..1000 {
+//!     alignment.add(&Increment { angle_b: rate_b * 0.01, velocity_b: Vector::new(0.0, 0.0, -0.098) });
+//! }
+//! let attitude = alignment.attitude()?;
+//! assert!((attitude.yaw - yaw).abs() < 1e-9 && attitude.roll.abs() < 1e-9);
+//! # Ok::<(), schuler::alignment::AlignmentError>(())
+//! ```
 
 pub mod judge;
 mod scatter;

@@ -10,6 +10,20 @@
 //! bits on every target. It rests on IEEE 754's + − × ÷ √, one version of libm, no float function of the
 //! standard library, no fused multiplication and addition, no NaN in a state, and subnormal numbers that
 //! are not flushed to zero. −0 and +0 are different words: the same operations give the same zero everywhere.
+//!
+//! ```
+//! use schuler::digest::{Chain, Digest};
+//! use schuler::math::vector::Vector;
+//!
+//! let (mut one, mut other) = (Digest::default(), Digest::default());
+//! one.add(&Vector::new(0.1_f32, 0.2, 0.3));
+//! other.add(&Vector::new(0.1_f32, 0.2, 0.3_f32.next_up()));
+//! assert_ne!(one.value(), other.value());
+//!
+//! let mut chain = Chain::new(2);
+//! assert_eq!(chain.add(1, &1.0_f64), None);
+//! assert_eq!(chain.add(2, &1.0_f64).map(|checkpoint| checkpoint.sample), Some(2));
+//! ```
 
 use crate::record::Record;
 

@@ -3,6 +3,15 @@
 //! Earth-fixed axes: z along the axis of rotation, x through the meridian of Greenwich.
 //! Source: NIMA TR8350.2 (WGS-84), equations 4-1 to 4-3; Groves, *Principles of GNSS, Inertial and
 //! Multisensor Integrated Navigation Systems*, 2nd ed., §2.4.
+//!
+//! ```
+//! use schuler::earth::{Geodetic, gravity};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 1.7, altitude: 3500.0 };
+//! let back = Geodetic::from_earth_fixed(at.to_earth_fixed());
+//! assert!((back.altitude - 3500.0).abs() < 1e-8);
+//! assert!((gravity(0.0_f64, 0.0) - 9.7803253359).abs() < 1e-12);
+//! ```
 
 pub mod closed_form;
 

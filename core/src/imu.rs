@@ -1,4 +1,27 @@
 //! The perfect inertial unit: rates from the motion, increments by quadrature of the rates.
+//!
+//! ```
+//! use schuler::imu::{Quadrature, rates};
+//! use schuler::trajectory::harmonic::{Channel, Channels, Harmonic, HarmonicTrajectory};
+//! use schuler::trajectory::Trajectory;
+//!
+//! let fixed = |offset| Channel { offset, rate: 0.0, harmonics: &[] };
+//! let swing = [Harmonic { amplitude: 0.1_f64, angular_rate: 2.0, phase: 0.0 }];
+//! let flight = HarmonicTrajectory::<f64, 1>::new(Channels {
+//!     roll: Channel { harmonics: &swing, ..fixed(0.0) },
+//!     pitch: fixed(0.0),
+//!     yaw: fixed(0.0),
+//!     latitude: fixed(0.8),
+//!     longitude: fixed(0.1),
+//!     altitude: fixed(100.0),
+//! })?;
+//! let quadrature = Quadrature::plan(flight.bound().bandwidth, 0.01);
+//! let first = quadrature.sample(&flight, 1, 100.0);
+//! // The increment is about the rate in the middle times the interval.
+//! let middle = rates(&flight.at(0.005));
+//! assert!((first.angle_b - middle.rate_ib_b * 0.01).norm() < 1e-8);
+//! # Ok::<(), schuler::trajectory::harmonic::CourseError>(())
+//! ```
 
 use crate::earth::{self, Radii};
 use crate::math::compensated::{Pair, two_product, two_sum};

@@ -2,6 +2,16 @@
 //!
 //! A stream is a pure function of (seed, run, identity). So an ensemble does not depend on which machine
 //! computes which run, and a term's noise does not change when another term is added or removed.
+//!
+//! ```
+//! use schuler::noise::Streams;
+//!
+//! let streams = || Streams::new(7, 0).branch(Streams::GYRO).axes();
+//! let ([mut x, mut y, _], [mut again, ..]) = (streams(), streams());
+//! let deviate: f64 = x.normal();
+//! assert_eq!(deviate, again.normal());
+//! assert_ne!(deviate, y.normal());
+//! ```
 
 mod quantile;
 

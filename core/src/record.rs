@@ -1,4 +1,17 @@
 //! One list of a state's fields, for digest, storage, link and audit.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::record::Record;
+//!
+//! let mut state = Vector::new(1.0_f32, 2.0, 3.0);
+//! let mut words = Vec::new();
+//! state.record("velocity", &mut |_, bits| {
+//!     words.push(bits);
+//!     bits
+//! });
+//! assert_eq!(words[1], u64::from(2.0_f32.to_bits()));
+//! ```
 
 use crate::earth::Geodetic;
 use crate::math::compensated::{Pair, Plain, TwoFloat};

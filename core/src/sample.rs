@@ -2,6 +2,15 @@
 //!
 //! The two are different types, because confusing them is a common and costly mistake. A sample's
 //! time is the end of its interval.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! // A sample of 10 ms at rest, level: gravity upwards.
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -9.81 * 0.01) };
+//! assert_eq!(sample.angle_b.norm(), 0.0);
+//! ```
 
 use crate::math::real::Real;
 use crate::math::real::Twin as _;

@@ -1,6 +1,19 @@
 //! The navigation solution: position, velocity and attitude.
 //!
 //! Every number is a [`Pair`], so that single precision passes on all of its digits.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::vector::Vector;
+//! use schuler::solution::{Euler, Solution};
+//!
+//! let attitude = Euler { roll: 0.1_f64, pitch: -0.2, yaw: 3.0 };
+//! let at = Geodetic { latitude: 0.8, longitude: 0.1, altitude: 100.0 };
+//! let solution = Solution::new(at, Vector::new(10.0, 0.0, 0.0), attitude);
+//! assert!((solution.euler().yaw - 3.0).abs() < 1e-15);
+//! let back = solution.to_earth_fixed().to_local();
+//! assert!((back.velocity_ned.x.hi - 10.0).abs() < 1e-12);
+//! ```
 
 use crate::earth::{self, Geodetic};
 use crate::math::compensated::{Pair, two_sum};

@@ -3,6 +3,25 @@
 //! At rest on the Earth |f| = γ(φ, h), and ω has the components ω_ie sinφ along f and ω_ie cosφ across it.
 //! Sensor errors move the readings a little; a wrong unit, sign or latitude moves them by a known amount.
 //! Source: Groves, 2nd ed., §5.6 (levelling, gyrocompassing), §4.2 (sensor errors).
+//!
+//! ```
+//! use schuler::alignment::judge::{Place, judge};
+//! use schuler::alignment::still::Still;
+//! use schuler::alignment::units::Kind;
+//! use schuler::earth::Geodetic;
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! // Velocity increments in units of gravity: 1 g · 0.01 s.
+//! let mut still = Still::new(1.0_f64);
+//! for _ in 0..3000 {
+//!     let velocity_b = Vector::new(0.0, 0.0, -0.01);
+//!     still.add(&Increment { angle_b: Vector::ZERO, velocity_b }, 0.01);
+//! }
+//! let place = Place::new(Geodetic { latitude: 0.8, longitude: 0.1, altitude: 100.0 });
+//! let judgement = judge(&still.readings().unwrap(), Kind::Increments, &place);
+//! assert!(judgement.contradiction.is_some());
+//! ```
 
 use super::signs::{self, Signs};
 use super::still::Readings;

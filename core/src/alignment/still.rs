@@ -1,6 +1,21 @@
 //! What a unit reads at rest: means, and the scatter of the means of short pieces.
 //!
 //! The pieces distinguish noise from motion, and give the variance of the mean of all.
+//!
+//! ```
+//! use schuler::alignment::still::Still;
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! let mut still = Still::new(1.0_f64);
+//! for _ in 0..1000 {
+//!     let velocity_b = Vector::new(0.0, 0.0, -0.0980665);
+//!     still.add(&Increment { angle_b: Vector::ZERO, velocity_b }, 0.01);
+//! }
+//! assert_eq!(still.pieces(), 10);
+//! let readings = still.readings().unwrap();
+//! assert!((readings.specific_force_b.norm() - 9.80665).abs() < 1e-6);
+//! ```
 
 use super::Alignment;
 use super::scatter::Scatter;

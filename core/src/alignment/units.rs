@@ -2,6 +2,14 @@
 //!
 //! At rest specific force and angular rate are known, γ and ω_ie, and units differ by factors larger than
 //! any sensor error. So a reading in a wrong unit identifies that unit.
+//!
+//! ```
+//! use schuler::alignment::units::{ForceUnit, Kind, RateUnit};
+//!
+//! assert_eq!(ForceUnit::G.si(), 9.80665);
+//! assert!((RateUnit::DegreePerSecond.si() - 0.0174533).abs() < 1e-6);
+//! assert_eq!(Kind::Increments.other(), Kind::Rates);
+//! ```
 
 use crate::math::real::Scalar;
 

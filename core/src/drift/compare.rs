@@ -2,6 +2,20 @@
 //!
 //! All differences are taken between the two-float coordinates first, and everything else is a product with
 //! such a difference. So 10⁻¹⁰ m is visible beside the Earth's radius.
+//!
+//! ```
+//! use schuler::drift::compare::drift;
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::solution::{Euler, Solution};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let truth = Solution::new(at, Vector::ZERO, Euler::default());
+//! let mut computed = truth;
+//! computed.position.altitude = computed.position.altitude + Pair::new(1e-10);
+//! // North, east, down: a height that is too large is a negative drift down.
+//! assert!((drift(&computed, &truth).position_ned.z + 1e-10).abs() < 1e-16);
+//! ```
 
 use crate::earth::{ECCENTRICITY_SQUARED, Radii, SEMI_MAJOR_AXIS};
 use crate::math::compensated::Pair;

@@ -6,6 +6,23 @@
 //! is printed, in which truth and computed solution each have their own north, east and down.
 //! Source: Groves, 2nd ed., §14.2.3 (Earth frame), here resolved along the true north, east and down
 //! with the gradient of normal gravity; Titterton & Weston, 2nd ed., ch. 12.
+//!
+//! ```
+//! use schuler::drift::linear::{ErrorDynamics, ErrorState};
+//! use schuler::imu::rates;
+//! use schuler::math::vector::Vector;
+//! use schuler::trajectory::{Jet, Motion};
+//!
+//! let still = Motion {
+//!     latitude: Jet { value: 0.8_f64, ..Jet::default() },
+//!     altitude: Jet { value: 100.0, ..Jet::default() },
+//!     ..Motion::default()
+//! };
+//! let dynamics = ErrorDynamics::new(&still, &rates(&still), false);
+//! // A tilt of 1 mrad about east accelerates to the north, by about 10 mm/s².
+//! let tilted = ErrorState { attitude: Vector::new(0.0, 1e-3, 0.0), ..ErrorState::default() };
+//! assert!((dynamics.growth(&tilted).velocity.x.abs() - 9.8e-3).abs() < 1e-4);
+//! ```
 
 use crate::earth::{self, ECCENTRICITY_SQUARED, Radii};
 use crate::math::quaternion::Matrix;

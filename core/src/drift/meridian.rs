@@ -2,6 +2,23 @@
 //!
 //! This is the only place where the tangent of the latitude occurs. Source: the ψ- and the φ-angle error
 //! models and the turn δθ between their axes, Benson, IEEE Trans. AES-11(4), 1975.
+//!
+//! ```
+//! use schuler::drift::linear::ErrorState;
+//! use schuler::drift::meridian::MeridianShift;
+//! use schuler::math::vector::Vector;
+//! use schuler::trajectory::{Jet, Motion};
+//!
+//! let still = Motion {
+//!     latitude: Jet { value: 0.8_f64, ..Jet::default() },
+//!     altitude: Jet { value: 100.0, ..Jet::default() },
+//!     ..Motion::default()
+//! };
+//! // A position error of 1 km to the east turns the computed north, so it shows as a heading error, too.
+//! let error = ErrorState { position: Vector::new(0.0, 1000.0, 0.0), ..ErrorState::default() };
+//! let drift = MeridianShift::new(&still).drift(&error);
+//! assert!((drift.attitude_ned.z - 1000.0 / 6.39e6 * 0.8_f64.tan()).abs() < 1e-6);
+//! ```
 
 use super::compare::{Drift, POLAR_SINE};
 use super::linear::ErrorState;

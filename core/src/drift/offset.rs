@@ -1,4 +1,17 @@
 //! The inverse of the comparison: a solution with a given drift.
+//!
+//! ```
+//! use schuler::drift::compare::{Drift, drift};
+//! use schuler::earth::Geodetic;
+//! use schuler::math::vector::Vector;
+//! use schuler::solution::{Euler, Solution};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let truth = Solution::new(at, Vector::ZERO, Euler::default());
+//! let wanted = Drift { position_ned: Vector::new(100.0, -50.0, 3.0), ..Drift::default() };
+//! let back = drift(&wanted.added_to(&truth), &truth);
+//! assert!((back.position_ned - wanted.position_ned).norm() < 1e-8);
+//! ```
 
 use super::compare::{Drift, POLAR_SINE, convergence, drift};
 use crate::earth::{Geodetic, Radii};

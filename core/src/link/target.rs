@@ -3,6 +3,16 @@
 //! A damaged frame changes nothing but a counter. Every whole frame of a host is answered once: a new one
 //! according to its content, a repeated or late one with the state of the navigator, which it does not change.
 //! Frames of a kind that only targets send are not answered.
+//!
+//! ```
+//! use schuler::link::fleet::Single;
+//! use schuler::link::target::Target;
+//!
+//! let mut target = Target::<Single>::new(0);
+//! let mut sent = 0;
+//! target.hello(&mut |frame: &[u8]| sent += frame.len());
+//! assert!(sent > 0 && target.flight().is_none());
+//! ```
 
 use super::configuration::Configuration;
 use super::counters::Counters;

@@ -2,6 +2,20 @@
 //!
 //! Knuth's two-sum and Dekker's product are exact in IEEE 754 arithmetic of any width:
 //! a + b = s + e and a·b = p + e. A [`Pair`] holds such a result: about twice the digits.
+//!
+//! ```
+//! use schuler::math::compensated::{Accumulate, Pair, Plain, two_sum};
+//!
+//! // A million steps of a tenth, in single precision.
+//! let (mut plain, mut pair) = (Plain(0.0_f32), Pair::new(0.0_f32));
+//! for _ in 0..1_000_000 {
+//!     plain.add(0.1);
+//!     pair.add(0.1);
+//! }
+//! assert!((plain.value() - 1e5).abs() > 900.0);
+//! assert!((pair.value() - 1e5).abs() < 0.01);
+//! assert_eq!(two_sum(1.0_f32, 1e-10), (1.0, 1e-10));
+//! ```
 
 mod accumulate;
 

@@ -2,6 +2,16 @@
 //!
 //! `q` with subscript b→n takes body components to navigation components:
 //! xⁿ = q ⊗ xᵇ ⊗ q*. A rotation by a small angle is kept as e = q − 1, which does not lose bits beside 1.
+//!
+//! ```
+//! use schuler::math::{quaternion::Quaternion, vector::Vector};
+//!
+//! // A quarter turn about the third axis takes forward to right.
+//! let half = core::f64::consts::FRAC_PI_4;
+//! let quarter = Quaternion::new(half.cos(), Vector::new(0.0, 0.0, half.sin()));
+//! let turned = quarter.matrix(1.0) * Vector::new(1.0, 0.0, 0.0);
+//! assert!((turned - Vector::new(0.0, 1.0, 0.0)).norm() < 1e-15);
+//! ```
 
 use super::real::{Number, Real};
 use super::vector::Vector;

@@ -3,6 +3,16 @@
 //! Every algorithm is written once, for `f32`, `f64`, a pack of independent runs or a test scalar.
 //! None branches on a value: comparisons give a mask, and `select` chooses lane by lane.
 //! IEEE 754 determines the bits of + − × ÷ √ everywhere; other functions are libm's (`scalar`).
+//!
+//! ```
+//! use schuler::math::real::Real;
+//!
+//! fn hypotenuse<R: Real>(a: R, b: R) -> R {
+//!     (a * a + b * b).sqrt()
+//! }
+//! assert_eq!(hypotenuse(3.0_f32, 4.0), 5.0);
+//! assert_eq!(hypotenuse(3.0_f64, 4.0), 5.0);
+//! ```
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

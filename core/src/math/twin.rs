@@ -1,6 +1,14 @@
 //! Two numbers side by side: the same operation on both is one vector instruction.
 //!
 //! Only the grouping differs from two scalars; every operation and its result are the same, bit for bit.
+//!
+//! ```
+//! use schuler::math::real::Twin;
+//! use schuler::math::twin::Both;
+//!
+//! let sum = Both(1.0_f32, 2.0) + Both::both(0.5);
+//! assert_eq!(sum.parts(), (1.5, 2.5));
+//! ```
 
 use super::real::{Real, Twin};
 use core::ops::{Add, Mul, Neg, Sub};

@@ -1,4 +1,13 @@
 //! Three components along one frame's axes.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//!
+//! let north = Vector::new(1.0_f64, 0.0, 0.0);
+//! let east = Vector::new(0.0, 1.0, 0.0);
+//! assert_eq!(north.cross(east), Vector::new(0.0, 0.0, 1.0));
+//! assert_eq!((north * 3.0 + east * 4.0).norm(), 5.0);
+//! ```
 
 use super::real::{Number, Real};
 use core::ops::{Add, Mul, Neg, Sub};

@@ -1,4 +1,21 @@
 //! The emulator: perfect increments in, the increments of real sensors out.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::sensor::{Timing, constant::Constant, emulator::Emulator, white::White};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let axes = |x| Vector::new(x, x, x);
+//! let gyro = (Constant::new(axes(5e-7), timing)?, White::new(axes(3e-6), timing)?);
+//! // `()`: perfect accelerometers.
+//! let emulator = Emulator::new(gyro, (), timing);
+//! let mut state = emulator.start(1, 0);
+//! let perfect = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let read = emulator.emulate(&mut state, &perfect);
+//! assert!(read.velocity_b == perfect.velocity_b && read.angle_b != perfect.angle_b);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;

@@ -2,6 +2,23 @@
 //!
 //! A sum of Gauss-Markov processes, one per decade of correlation time from the sample interval to
 //! the run's length: T_i = 10ⁱ Δt, σ_i² = B² ln(T_{i+1}/T_i)/π.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing, flicker::Flicker};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = Flicker::new(axes(1e-3), timing)?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert!((reading.increment - truth).norm() < 1e-3);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::gauss_markov::Process;
 use super::parameter::{Parameter, ParameterError};

@@ -5,6 +5,14 @@
 //! discrete form. `()` is the perfect sensor, `(A, B)` is first A, then B, and `Option<T>` is decided at run
 //! time; an absent term takes no time and no random numbers. "Angle" in a unit stands for the quantity that
 //! the increments count: rad for a gyro, m/s for an accelerometer.
+//!
+//! ```
+//! use schuler::sensor::Timing;
+//!
+//! let timing = Timing::new(0.01_f64, 180_000)?;
+//! assert_eq!((timing.interval_s(), timing.samples()), (0.01, 180_000));
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 pub mod carried;
 pub mod constant;

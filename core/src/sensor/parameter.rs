@@ -1,4 +1,12 @@
 //! Errors in parameters, and the checks that every constructor makes.
+//!
+//! ```
+//! use schuler::sensor::Timing;
+//! use schuler::sensor::parameter::{Fault, Parameter};
+//!
+//! let refused = Timing::new(0.0_f64, 1).unwrap_err();
+//! assert_eq!((refused.parameter, refused.fault), (Parameter::Interval, Fault::NotPositive));
+//! ```
 
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;

@@ -6,6 +6,22 @@
 //! A sensor with limits delivers at most the largest whole number of steps within them. The excess is lost,
 //! as with any limit: the remainder never exceeds half a step, so nothing accumulates while the sensor is at
 //! its limit.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, quantization::Quantization};
+//!
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = Quantization::new(axes(0.015))?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert_eq!(reading.increment.x, 0.015);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};

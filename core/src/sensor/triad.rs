@@ -1,4 +1,16 @@
 //! A triad of gyros or of accelerometers with every error term, each present or absent at run time.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sensor::{Timing, emulator::Emulator, triad::Triad, white::White};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let white = White::new(Vector::new(3e-6, 3e-6, 3e-6), timing)?;
+//! let gyro = Triad { white: Some(white), ..Triad::PERFECT };
+//! let emulator = Emulator::new(gyro, Triad::PERFECT, timing);
+//! # let _ = emulator;
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::constant::Constant;
 use super::flicker::Flicker;

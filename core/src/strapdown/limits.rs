@@ -1,4 +1,24 @@
 //! The limits of navigation, and the errors beyond them.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::sample::Increment;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::block::window::H0B4A0;
+//! use schuler::strapdown::frame::local_level::LocalLevel;
+//! use schuler::strapdown::limits::{Limits, Rejected};
+//! use schuler::strapdown::navigator::Strapdown;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let limits = Limits { angular_rate: 10.0, specific_force: 200.0 };
+//! let navigator = Strapdown::<LocalLevel<Pair<f64>>, H0B4A0>::with_limits(Pair::of(0.01), limits)?;
+//! let mut state = navigator.start(&initial)?;
+//! let broken = Increment { angle_b: Vector::new(f64::NAN, 0.0, 0.0), velocity_b: Vector::ZERO };
+//! assert_eq!(navigator.push(&mut state, broken), Err(Rejected::Angle));
+//! # Ok::<(), schuler::strapdown::limits::StartError>(())
+//! ```
 
 use crate::math::real::Real;
 

@@ -1,4 +1,23 @@
 //! The trait of all mechanizations: how they are started, fed and read.
+//!
+//! ```
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::limits::Rejected;
+//! use schuler::strapdown::mechanization::Mechanization;
+//!
+//! /// Flies samples with any mechanization.
+//! fn fly<M: Mechanization>(
+//!     mechanization: &M,
+//!     state: &mut M::State,
+//!     samples: &[Increment<M::Real>],
+//! ) -> Result<M::Output, Rejected> {
+//!     for &sample in samples {
+//!         mechanization.push(state, sample)?;
+//!     }
+//!     mechanization.finish(state);
+//!     Ok(mechanization.output(state))
+//! }
+//! ```
 
 use crate::math::compensated::Pair;
 use crate::math::real::Real;

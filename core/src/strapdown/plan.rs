@@ -5,6 +5,22 @@
 //! scenes (`paper` has x = 1.2e-4, `hard` 0.3, `coning` 0.6, `vibration` 1.4). A spin is limited by the
 //! truncation of the series, and a local-level block by the distance that it covers. If the truth is known, as
 //! in a simulation, trial flights make a better choice.
+//!
+//! ```
+//! use schuler::strapdown::plan::{Digits, Flight, order, window};
+//!
+//! let cruise = Flight {
+//!     bandwidth: 0.5,
+//!     angular_rate: 0.1,
+//!     speed: 200.0,
+//!     interval_s: 0.01,
+//!     digits: Digits::Double,
+//!     earth_fixed: false,
+//! };
+//! assert_eq!(window(&cruise), (0, 4, 0));
+//! assert_eq!(order(&cruise, (0, 4, 0)), 5);
+//! assert_eq!(window(&Flight { bandwidth: 10.0, ..cruise }), (2, 4, 2));
+//! ```
 
 pub use crate::strapdown::block::fit::Shape;
 use crate::strapdown::block::window::{H0B2A0, H0B4A0, H2B4A2, H4B4A4, Line8, Parabola20, Window};

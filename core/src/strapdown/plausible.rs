@@ -4,6 +4,27 @@
 //! samples and the room for them. After a state is written back, from storage or from a link, check it with
 //! [`Mechanization::check`](crate::strapdown::mechanization::Mechanization::check) before navigation
 //! continues. A single wrong bit could otherwise cause an endless loop or a NaN.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::sample::Increment;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::record::Record;
+//! use schuler::strapdown::block::window::H0B4A0;
+//! use schuler::strapdown::frame::local_level::LocalLevel;
+//! use schuler::strapdown::navigator::Strapdown;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let navigator = Strapdown::<LocalLevel<Pair<f64>>, H0B4A0>::new(Pair::of(0.01))?;
+//! let mut state = navigator.start(&initial)?;
+//! assert!(navigator.check(&state).is_ok());
+//! // A latitude that no longer belongs to its sine.
+//! state.record("", &mut |name, bits| if name == "sine" { 0 } else { bits });
+//! assert!(navigator.check(&state).is_err());
+//! # Ok::<(), schuler::strapdown::limits::StartError>(())
+//! ```
 
 use crate::math::compensated::Accumulate;
 use crate::math::quaternion::Quaternion;

@@ -2,6 +2,25 @@
 //!
 //! Equations (1) and (2) of the paper, with more than one harmonic per channel. Harmonics of one
 //! frequency are evaluated once for all channels; a channel without harmonics costs a product and a sum.
+//!
+//! ```
+//! use schuler::trajectory::harmonic::{Channel, Channels, Harmonic, HarmonicTrajectory};
+//! use schuler::trajectory::Trajectory;
+//!
+//! let fixed = |offset| Channel { offset, rate: 0.0, harmonics: &[] };
+//! let swing = [Harmonic { amplitude: 0.1_f64, angular_rate: 2.0, phase: 0.0 }];
+//! let flight = HarmonicTrajectory::<f64, 1>::new(Channels {
+//!     roll: Channel { harmonics: &swing, ..fixed(0.0) },
+//!     pitch: fixed(0.0),
+//!     yaw: Channel { rate: 0.01, ..fixed(0.0) },
+//!     latitude: fixed(0.8),
+//!     longitude: fixed(0.1),
+//!     altitude: fixed(100.0),
+//! })?;
+//! let motion = flight.at(0.0);
+//! assert_eq!((motion.roll.value, motion.yaw.first), (0.1, 0.01));
+//! # Ok::<(), schuler::trajectory::harmonic::CourseError>(())
+//! ```
 
 use super::{Bound, Jet, Motion, Trajectory};
 use crate::earth::SEMI_MAJOR_AXIS;

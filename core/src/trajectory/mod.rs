@@ -1,4 +1,15 @@
 //! The truth: motion as an analytic function of time.
+//!
+//! ```
+//! use schuler::trajectory::{Jet, Motion};
+//!
+//! // 0.01 rad/s of latitude is about 64 km/s to the north.
+//! let motion = Motion {
+//!     latitude: Jet { value: 0.0_f64, first: 0.01, second: 0.0 },
+//!     ..Motion::default()
+//! };
+//! assert!((motion.velocity_ned().x - 63354.0).abs() < 1.0);
+//! ```
 
 pub mod harmonic;
 

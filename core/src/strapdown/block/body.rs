@@ -4,6 +4,25 @@
 //! q′ = ½ q ⊗ w, U′ = f − w × U, D′ = U − w × D, without trigonometry and without iteration. The sums of the
 //! increments enter once, as they are, and the polynomials only add the effect of rotation. So single
 //! precision loses nothing of what the sensor delivered.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::body::{Sum, integrate};
+//! use schuler::strapdown::block::fit::Fit;
+//!
+//! // A quarter turn about the third axis in one second, under a steady force along the first.
+//! let quarter = core::f64::consts::FRAC_PI_2;
+//! let sample = Increment {
+//!     angle_b: Vector::new(0.0, 0.0, quarter / 4.0),
+//!     velocity_b: Vector::new(0.25, 0.0, 0.0),
+//! };
+//! let (fit, _) = Fit::<f64, 4>::of_any(&[sample; 4], 0, 4);
+//! let (body, _) = integrate::<f64, 4, 23>(&fit, &Sum::plain(&[sample; 4]), 0.5, 22);
+//! // u = ∫(cos ωt, sin ωt) dt = (1, 1)/ω
+//! let expected = Vector::new(1.0 / quarter, 1.0 / quarter, 0.0);
+//! assert!((body.velocity - expected).norm() < 1e-14);
+//! ```
 
 use super::fit::Fit;
 use super::series::Series;

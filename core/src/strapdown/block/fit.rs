@@ -5,6 +5,17 @@
 //! increment: w_k = Σⱼ A_kj Δθⱼ, A the inverse of B_jk = (bⱼᵏ⁺¹ − aⱼᵏ⁺¹)/(k + 1); likewise f_k from Δvⱼ.
 //! Each entry of A is a ratio of integers, from Lagrange's basis over the sample edges, divided once.
 //! For slow motion a line or a parabola over a long block is enough: see [`least_squares`](super::least_squares).
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::fit::Fit;
+//!
+//! // Two samples of a rate that grows: over σ ∈ [−1, 1] the rate is 1.5 + σ.
+//! let sample = |x: f64| Increment { angle_b: Vector::new(x, 0.0, 0.0), velocity_b: Vector::ZERO };
+//! let (fit, sum) = Fit::<f64, 2>::of_any(&[sample(1.0), sample(2.0)], 0, 2);
+//! assert_eq!((fit.rate[0].x, fit.rate[1].x, sum.angle_b.x), (1.5, 1.0, 3.0));
+//! ```
 
 use crate::math::real::Real;
 use crate::math::real::Twin as _;

@@ -3,6 +3,18 @@
 //! w(σ) = w₀ + w₁σ + w₂σ² over the block's B samples, A = (BᵀB)⁻¹Bᵀ. The columns of B are powers of the
 //! sample's number, so A needs only three sums, which running totals give without multiplications:
 //! S₁ = Σ Δθⱼ, S₂ = Σ (B − j) Δθⱼ, S₃ = Σ ½(B − j)(B − j + 1) Δθⱼ, j = 0 … B − 1.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::least_squares::least_squares;
+//!
+//! let sample = |x: f64| Increment { angle_b: Vector::new(x, 0.0, 0.0), velocity_b: Vector::ZERO };
+//! let block: [_; 8] = core::array::from_fn(|j| sample(1.0 + j as f64));
+//! let (fit, sum) = least_squares::<f64, 2>(&block);
+//! // 2w₀ is the sum.
+//! assert!((2.0 * fit.rate[0].x - sum.angle_b.x).abs() < 1e-12);
+//! ```
 
 use super::fit::{Fit, each};
 use crate::math::real::Real;

@@ -4,6 +4,13 @@
 //! of its samples: `Strapdown<F, Unequal<H2B4A2>>` takes samples of any length with `push_over`. As long as all
 //! last the nominal interval, its bits are those of the window itself. A block with other samples is integrated
 //! at its true abscissae.
+//!
+//! ```
+//! use schuler::strapdown::block::unequal::Unequal;
+//! use schuler::strapdown::block::window::{H2B4A2, Window};
+//!
+//! assert_eq!(Unequal::<H2B4A2>::SHAPE, H2B4A2::SHAPE);
+//! ```
 
 use super::body::BodyMotion;
 use super::window::{Behind, Window};

@@ -3,6 +3,14 @@
 //! A window is H samples of history, the block of B samples that is integrated, and A samples of
 //! look-ahead, which delay the output. Wider windows resolve faster motion; a straight line or a
 //! parabola over a long block is the cheapest for slow motion.
+//!
+//! ```
+//! use schuler::strapdown::block::window::{H2B4A2, NAMED, Window};
+//!
+//! assert_eq!(H2B4A2::SHAPE, (2, 4, 2));
+//! assert_eq!(H2B4A2::SAMPLES, 8);
+//! assert!(NAMED.contains(&(0, 4, 0)));
+//! ```
 #![doc = include_str!("WINDOWS.md")]
 
 use super::alike;

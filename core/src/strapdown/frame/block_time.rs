@@ -1,4 +1,12 @@
 //! Constants of a block's duration, computed once per configuration.
+//!
+//! ```
+//! use schuler::math::compensated::Pair;
+//! use schuler::strapdown::frame::block_time::BlockTime;
+//!
+//! let block = BlockTime::new(Pair::<f64>::of(0.01), 4);
+//! assert_eq!((block.time.hi, block.half), (0.04, 0.02));
+//! ```
 
 use crate::earth::{EQUATORIAL_GRAVITY, ROTATION_RATE};
 use crate::math::compensated::Pair;

@@ -3,6 +3,18 @@
 //! Velocity is inertial, resolved in the Earth-fixed axes: within a block the axes stand still, and
 //! at its end position, velocity and gravity are rotated with the Earth. Gravitation is evaluated once per
 //! block and extrapolated from its history (Adams).
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::frame::{Frame, earth_fixed::EarthFixed};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let frame = EarthFixed::<Pair<f64>>::start(&initial);
+//! assert!(frame.check_place().is_ok());
+//! ```
 
 mod plausible;
 mod two_float;

@@ -3,6 +3,16 @@
 //! Nothing divides by the distance from the axis, so the poles are like any other place. The latitude
 //! of the last position plus its last change predicts the next one so well that one Newton step
 //! reaches full precision; only a cold start takes more.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::strapdown::frame::gravitation::Latitude;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.0, altitude: 100.0 };
+//! let mut latitude = Latitude { sine: 0.8_f64.sin(), cosine: 0.8_f64.cos(), change: 0.0 };
+//! let gravitation = latitude.gravitation(at.to_earth_fixed());
+//! assert!((gravitation.norm() - 9.82).abs() < 0.01);
+//! ```
 
 use crate::earth::{
     ECCENTRICITY_SQUARED, EQUATORIAL_GRAVITY, ROTATION_RATE, SEMI_MAJOR_AXIS, SOMIGLIANA,

@@ -2,6 +2,18 @@
 //!
 //! The displacement D is a straight line, and the ellipsoid curves away from it. Two passes over a
 //! short series reach the rounding floor for blocks of up to 500 m, and leave 3e-9 m over 5 km.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::strapdown::frame::meridian::{Meridian, curvature};
+//!
+//! // 100 m to the north at 45° of latitude.
+//! let sine = 45_f64.to_radians().sin();
+//! let change = Meridian::at(sine, sine, 0.0, curvature(sine)).moved(Vector::new(100.0, 0.0, 0.0));
+//! assert!((change.latitude - 100.0 / 6_367_382.0).abs() < 1e-11);
+//! // A straight line rises above the ellipsoid.
+//! assert!((change.altitude - 100.0 * 100.0 / (2.0 * 6_367_382.0)).abs() < 1e-8);
+//! ```
 
 use crate::earth::{ECCENTRICITY_SQUARED, Geodetic, SEMI_MAJOR_AXIS};
 use crate::math::compensated::Pair;

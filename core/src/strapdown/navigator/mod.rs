@@ -10,6 +10,29 @@
 //! | `rows` | whether and by whom rows within a block are read |
 //! | `mechanization` | the navigator as a mechanization |
 //! | `check`, `stored` | a state as bytes, and its check |
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::sample::Increment;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::block::window::H2B4A2;
+//! use schuler::strapdown::frame::earth_fixed::EarthFixed;
+//! use schuler::strapdown::navigator::Strapdown;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let navigator = Strapdown::<EarthFixed<Pair<f64>>, H2B4A2>::new(Pair::of(0.01))?;
+//! let mut state = navigator.start(&initial)?;
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -0.0981) };
+//! let mut rows = 0;
+//! for _ in 0..101 {
+//!     navigator.push_rows(&mut state, sample, |_, _| rows += 1)?;
+//! }
+//! navigator.finish_rows(&mut state, |_, _| rows += 1);
+//! assert_eq!((rows, state.integrated()), (101, 101));
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 mod check;
 mod edges;

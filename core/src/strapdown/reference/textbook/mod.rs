@@ -5,6 +5,23 @@
 //! Groves, 2nd ed., §5.5; with the complete rotation of the velocity increment. Gravity, Coriolis and
 //! transport rate are taken at the middle of the step. It calls no trigonometric function: sines and cosines
 //! advance by increments.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::sample::Increment;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::mechanization::Mechanization;
+//! use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let navigator = Textbook::<LocalLevelTextbook<f64>>::new(0.01)?;
+//! let mut state = navigator.start(&initial)?;
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -0.0981) };
+//! navigator.push(&mut state, sample)?;
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 pub mod body;
 pub mod earth_fixed;

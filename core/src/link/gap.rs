@@ -1,14 +1,14 @@
-//! What a missing sample does: it ends the run, or it is filled from its neighbours.
+//! Missing samples: they end the run, or are filled from their neighbours.
 
 use super::counters::count;
 use crate::math::real::Real;
 use crate::record::Record;
 use crate::sample::Increment;
 
-/// Samples that are bridged at once, at most: as far as the record of what came reaches back.
+/// The largest number of consecutive samples that are bridged: the length of the record of received samples.
 pub const MOST_BRIDGED: u32 = 31;
 
-/// What is done about a missing sample.
+/// The policy for missing samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Policy {

@@ -1,6 +1,6 @@
-//! Inside a block: its series evaluated where a row is read.
+//! Rows inside a block, by evaluating its series.
 //!
-//! Even and odd powers are summed apart, so that one evaluation serves σ and −σ.
+//! Even and odd powers are summed separately, so that one evaluation serves σ and −σ.
 
 use super::body::BodyMotion;
 use super::series::{Series, Term};
@@ -36,7 +36,7 @@ impl<R: Real> Default for Mirror<R> {
 pub trait BlockSeries<R: Real> {
     /// The motion from the block's start to σ in (−1, 1).
     fn until(&self, sigma: R, half_time_s: R) -> BodyMotion<R>;
-    /// The motion up to a row of so many in the block; rows are asked for in their order.
+    /// The motion up to a row, by its number and the number of rows in the block, in rising order.
     fn until_row(
         &self,
         row: usize,

@@ -1,8 +1,24 @@
-//! Classical Runge-Kutta on instantaneous rates: the yardstick of those who have no increments.
+//! Classical Runge-Kutta on instantaneous rates: a standard of comparison for sensors without increments.
 //!
 //! A step spans two samples and takes the rates at its start, middle and end. The continuous equations
 //! in Earth-fixed axes (Groves, 2nd ed., §5.3) are integrated as they stand; the local error is of the
 //! fifth order in the step, the global one of the fourth.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Rates;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::reference::rk4::RungeKutta;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let navigator = RungeKutta::new(0.01)?;
+//! let mut state = navigator.start(&initial)?;
+//! let rates = Rates { rate_ib_b: Vector::ZERO, specific_force_b: Vector::new(0.0, 0.0, -9.81) };
+//! navigator.step(&mut state, &[rates; 3])?;
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use crate::earth::ROTATION_RATE;
 use crate::math::compensated::Pair;

@@ -51,6 +51,7 @@ mod firmware {
 }
 
 use schuler::earth::{gravity, rotation_ned};
+use schuler::math::real::Real;
 use schuler::prelude::*;
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
@@ -61,7 +62,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let mut inertial = firmware::Inertial::new(&start)?;
 
     // The chip: integrals of the true rates, of which each sample has the whole bits that are new.
-    let (sine, cosine) = f64::from(place.latitude).sin_cos();
+    let (sine, cosine) = Real::sin_cos(f64::from(place.latitude));
     let turned = rotation_ned(sine, cosine).into_array();
     let felt = [0.0, 0.0, -gravity(sine, f64::from(place.altitude))];
     let bits = |rate: f64, bit: f32, sample: i32| {

@@ -4,6 +4,7 @@
 
 use core::f64::consts::PI;
 use schuler::earth::{gravity, rotation_ned};
+use schuler::math::real::Real;
 use schuler::prelude::*;
 use schuler::sensor::Timing;
 use schuler::sensor::constant::Constant;
@@ -24,7 +25,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
 
     // At rest, level, heading north: the Earth's rate and the reaction to gravity.
     let place = Geodetic { latitude: PI / 4.0, longitude: 0.0, altitude: 0.0 };
-    let (sine, cosine) = place.latitude.sin_cos();
+    let (sine, cosine) = Real::sin_cos(place.latitude);
     let at_rest = Rates {
         rate_ib_b: rotation_ned(sine, cosine),
         specific_force_b: Vector::new(0.0, 0.0, -gravity(sine, 0.0)),
@@ -44,7 +45,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let seconds = SAMPLES as f64 / RATE_HZ;
     let radius = 6.37e6;
     let schuler_rate = (gravity(sine, 0.0) / radius).sqrt();
-    let expected = DEGREE / 3600.0 * radius * (1.0 - (schuler_rate * seconds).cos());
+    let expected = DEGREE / 3600.0 * radius * (1.0 - Real::sin_cos(schuler_rate * seconds).1);
     let north = navigator.readout(&state).velocity_ned_m_s.x;
     println!("after {seconds} s: {}", navigator.readout(&state));
     println!("velocity north {north:.2} m/s; the bias alone explains {expected:.2} m/s");

@@ -136,6 +136,10 @@ macro_rules! wrapped_constants {
         const ONE: Self = $wrap(<$inner as $crate::math::real::Real>::ONE);
         const TWO: Self = $wrap(<$inner as $crate::math::real::Real>::TWO);
         const HALF: Self = $wrap(<$inner as $crate::math::real::Real>::HALF);
+        #[allow(
+            clippy::indexing_slicing,
+            reason = "the compiler alone evaluates it, and stops at an index out of range"
+        )]
         const INVERSE: [Self; 28] = {
             let mut table = [$wrap(<$inner as $crate::math::real::Real>::ZERO); 28];
             let mut n = 1;

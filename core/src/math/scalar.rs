@@ -31,6 +31,10 @@ macro_rules! scalar {
             const ONE: Self = 1.0;
             const TWO: Self = 2.0;
             const HALF: Self = 0.5;
+            #[expect(
+                clippy::indexing_slicing,
+                reason = "the compiler alone evaluates it, and stops at an index out of range"
+            )]
             const INVERSE: [Self; 28] = inverse!($t);
 
             #[inline(always)]

@@ -227,6 +227,10 @@ fn turned<R: Scalar>(rate: R, time_s: Pair<R>) -> R {
 
 impl<R: Scalar, const N: usize> Trajectory<R> for HarmonicTrajectory<R, N> {
     #[inline]
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "every index is below the length of its array, a constant"
+    )]
     fn at_instant(&self, time_s: Pair<R>) -> Motion<R> {
         let mut value = self.offset;
         let mut first = self.rate;

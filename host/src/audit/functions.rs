@@ -4,7 +4,7 @@
 use crate::input::{Complaint, InputError, read_text};
 use crate::output;
 use schuler::digest::Digest;
-use schuler::math::real::{Real, Scalar};
+use schuler::math::real::Scalar;
 use schuler::noise::{Stream, Streams};
 use schuler::record::Record;
 use serde::Serialize;
@@ -175,7 +175,7 @@ mod tests {
             let mut calls = 0;
             digest([both_signs(-40, 5), positive(0, 1)], |x: f32, _| {
                 calls += 1;
-                let (sine, cosine) = Real::sin_cos(x);
+                let (sine, cosine) = schuler::math::real::Real::sin_cos(x);
                 [f32::from_bits(sine.to_bits() + u32::from(calls == planted)), cosine]
             })
         };

@@ -116,7 +116,7 @@ macro_rules! register {
         impl Real for $name {
             type Mask = $mask;
             type Twin = Both<Self>;
-            schuler::wrapped_constants!(f64, Self::all);
+            schuler::math::real::wrapped_constants!(f64, Self::all);
 
             #[inline(always)]
             fn residual(literal: f64) -> Self {

@@ -45,7 +45,7 @@ macro_rules! all {
 }
 
 /// Every named window.
-const ALL: &[Candidate] = &schuler::every_window! { all! };
+const ALL: &[Candidate] = &schuler::strapdown::block::window::every_window! { all! };
 
 /// Time per sample at block ends, the cheapest first, as `schuler frontier` measures it: long blocks of
 /// slow motion, no neighbours, neighbours on both sides, and last those that look one way, which take the

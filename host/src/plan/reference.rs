@@ -184,12 +184,13 @@ impl Stretch {
             let at = (MARGIN + n) * fine;
             if fine == 1 {
                 let window = increments.get(at - 6..at + 7)?.first_chunk()?;
-                let (fit, _) = Fit::<f64, 13>::of(window, 6, 1, PLAIN_SINGLE, PLAIN);
+                let (fit, _) = Fit::<f64, 13>::from_samples(window, 6, 1, PLAIN_SINGLE, PLAIN);
                 let sum = Sum::exact(increments.get(at..at + 1)?);
                 Some(integrate::<f64, 13, 17>(&fit, &sum, half_s, 8).0)
             } else {
                 let window = increments.get(at - 5..at + 9)?.first_chunk()?;
-                let (fit, _) = Fit::<f64, 14>::of(window, 5, FINE, DENSE_SINGLE, DENSE_TABLE);
+                let (fit, _) =
+                    Fit::<f64, 14>::from_samples(window, 5, FINE, DENSE_SINGLE, DENSE_TABLE);
                 let sum = Sum::exact(samples.get(MARGIN + n..MARGIN + n + 1)?);
                 Some(integrate::<f64, 14, 17>(&fit, &sum, half_s, 14).0)
             }

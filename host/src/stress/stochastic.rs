@@ -168,7 +168,7 @@ impl<T: Format> Neg for Stochastic<T> {
 impl<T: Format<Mask = bool>> Real for Stochastic<T> {
     type Mask = bool;
     type Twin = Both<Self>;
-    schuler::wrapped_constants!(T, Self);
+    schuler::math::real::wrapped_constants!(T, Self);
 
     fn of(literal: f64) -> Self {
         Self(T::of(literal))

@@ -38,8 +38,8 @@ fn rows_and_ends<F: Frame<Real = f64>, W: Window>() {
 
 #[test]
 fn a_row_inside_a_block_is_as_good_as_its_end() {
-    every_window!(rows_and_ends, Local);
-    every_window!(rows_and_ends, Earth);
+    for_every_window!(rows_and_ends, Local);
+    for_every_window!(rows_and_ends, Earth);
 }
 
 /// Two independent mechanizations: what they agree on is not the error of either.

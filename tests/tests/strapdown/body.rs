@@ -127,7 +127,7 @@ fn polynomials<W: Window>() {
 
 #[test]
 fn polynomial_motion_is_integrated_to_the_floor_by_every_window() {
-    every_window!(polynomials);
+    for_every_window!(polynomials);
 }
 
 /// Without rotation nothing is small: each power of the force counts in full.
@@ -169,7 +169,7 @@ fn force_alone<W: Window>() {
 
 #[test]
 fn polynomial_force_is_integrated_exactly_by_every_window() {
-    every_window!(force_alone);
+    for_every_window!(force_alone);
 }
 
 /// Constant rate and force: closed forms in the rotation over the whole block, Δθ.
@@ -209,7 +209,7 @@ fn steady<W: Window>() {
 
 #[test]
 fn steady_turns_have_their_closed_form() {
-    every_window!(steady);
+    for_every_window!(steady);
 }
 
 /// Order 3 is planned where it is enough, and hardly any earlier than it must be.

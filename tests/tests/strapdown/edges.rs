@@ -122,7 +122,7 @@ fn ends_alike<W: Window>() {
 
 #[test]
 fn noise_is_not_blown_up_at_an_edge() {
-    every_window!(ends_alike);
+    for_every_window!(ends_alike);
 }
 
 #[test]

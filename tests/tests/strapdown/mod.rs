@@ -1,10 +1,10 @@
 //! Strapdown: fit, body step, gravitation, streams, accuracy, refusals, records.
 
 /// Calls a generic function once for every named window, the last of its type arguments.
-macro_rules! every_window {
+macro_rules! for_every_window {
     ($f:ident $(, $first:ty)?) => {{
         use schuler::strapdown::block::window::*;
-        schuler::every_window!(every_window! @ $f [$($first)?]);
+        schuler::strapdown::block::window::every_window!(for_every_window! @ $f [$($first)?]);
     }};
     (@ $f:ident [] $($w:ident),+) => { $($f::<$w>();)+ };
     (@ $f:ident [$first:ty] $($w:ident),+) => { $($f::<$first, $w>();)+ };

@@ -162,7 +162,7 @@ fn windows() -> Vec<(WindowShape, usize)> {
     macro_rules! list {
         ($($window:ident),+) => { vec![$(($window::SHAPE, $window::COEFFICIENTS)),+] };
     }
-    schuler::every_window! { list! }
+    schuler::strapdown::block::window::every_window! { list! }
 }
 
 /// Whether a number has the digits that are printed of it.

@@ -86,12 +86,12 @@ where
 
 #[test]
 fn one_row_for_every_sample_in_local_level_axes() {
-    every_window!(one_row_each, Local);
+    for_every_window!(one_row_each, Local);
 }
 
 #[test]
 fn one_row_for_every_sample_in_earth_fixed_axes() {
-    every_window!(one_row_each, Earth);
+    for_every_window!(one_row_each, Earth);
 }
 
 #[test]
@@ -139,7 +139,7 @@ fn delayed_but_unchanged<W: Window>() {
 
 #[test]
 fn look_ahead_delays_a_row_and_never_changes_it() {
-    every_window!(delayed_but_unchanged);
+    for_every_window!(delayed_but_unchanged);
 }
 
 /// How well a window does on a motion at its best: its largest miss in an unbroken stream, m.
@@ -182,12 +182,12 @@ fn goes_on<F: Frame<Real = f64>, W: Window>() {
 
 #[test]
 fn a_finished_stream_may_go_on_in_local_level_axes() {
-    every_window!(goes_on, Local);
+    for_every_window!(goes_on, Local);
 }
 
 #[test]
 fn a_finished_stream_may_go_on_in_earth_fixed_axes() {
-    every_window!(goes_on, Earth);
+    for_every_window!(goes_on, Earth);
 }
 
 /// A short stream's last row is as near to the truth as any.
@@ -210,5 +210,5 @@ fn any_length<W: Window>() {
 
 #[test]
 fn a_stream_of_any_length_ends_near_the_truth() {
-    every_window!(any_length);
+    for_every_window!(any_length);
 }

@@ -146,7 +146,7 @@ fn constant<F: Frame<Real = f64> + Record, W: Window>() {
 
 #[test]
 fn at_the_nominal_interval_nothing_changes() {
-    every_window!(constant, Local);
+    for_every_window!(constant, Local);
     constant::<Earth, H2B4A2>();
     constant::<Earth, Line8>();
     let course = Course::new("manoeuvre", 1.0, 1.0);
@@ -182,8 +182,8 @@ fn rests_in_double<F: Frame<Real = f64>, W: Window>() {
 
 #[test]
 fn at_rest_time_is_what_the_intervals_say() {
-    every_window!(rests_in_double, Local);
-    every_window!(rests_in_double, Earth);
+    for_every_window!(rests_in_double, Local);
+    for_every_window!(rests_in_double, Earth);
     rests::<LocalLevel<Pair<f32>>, H0B4A0>(1e-3);
     rests::<LocalLevel<TwoFloat<f32>>, H2B4A2>(1e-4);
 }

@@ -49,6 +49,10 @@ pub struct Weights<T, const M: usize> {
 }
 
 /// The weights for the window of P = 2M − B samples.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 pub const fn weights_f64<const M: usize>() -> Weights<f64, M> {
     let (table, denominator) = table::<M>();
     let mut weights = Weights { sums: [[0.0; M]; SIDE], differences: [[0.0; M]; SIDE] };
@@ -67,6 +71,10 @@ pub const fn weights_f64<const M: usize>() -> Weights<f64, M> {
 }
 
 /// The same in single precision.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 pub const fn weights_f32<const M: usize>() -> Weights<f32, M> {
     let double = weights_f64::<M>();
     let mut weights = Weights { sums: [[0.0; M]; SIDE], differences: [[0.0; M]; SIDE] };
@@ -85,6 +93,10 @@ pub const fn weights_f32<const M: usize>() -> Weights<f32, M> {
 
 /// The weight of sample k − M in X_i = ∫χ ℓ_i dt, ℓ_i the cubic with the increment 1 over sample i and 0
 /// over the other three.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 const fn table<const M: usize>() -> ([[i128; 2 * ROOM]; SIDE], i128) {
     let p = 2 * M - BLOCK;
     let half = (p / 2) as i128;
@@ -122,6 +134,10 @@ const fn table<const M: usize>() -> ([[i128; 2 * ROOM]; SIDE], i128) {
 }
 
 /// Adds a share of ∇ᴾx_m = Σ (−1)ᴾ⁻ᵏ C(P, k) x_{m+k}, P even.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 const fn difference(row: &mut [i128; 2 * ROOM], pairs: usize, m: i128, p: usize, share: i128) {
     let mut binomial = share;
     let mut k = 0;
@@ -133,6 +149,10 @@ const fn difference(row: &mut [i128; 2 * ROOM], pairs: usize, m: i128, p: usize,
 }
 
 /// 24 ℓ_i: the slope of Σ_{m>i} Π_{n≠m}(t − n)/(m − n), n = −2 … 2.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 const fn cubic(i: i128) -> [i128; ROOM] {
     let mut slope = [0; ROOM];
     let mut m = i + 1;
@@ -158,6 +178,10 @@ const fn cubic(i: i128) -> [i128; ROOM] {
 }
 
 /// A polynomial times t − n.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 const fn times(polynomial: &[i128; ROOM], n: i128) -> [i128; ROOM] {
     let mut product = [0; ROOM];
     product[0] = -n * polynomial[0];
@@ -181,6 +205,10 @@ const fn multiplied(polynomial: &[i128; ROOM], first: i128, count: usize) -> [i1
 }
 
 /// The integral from j to j + 1, times the multiple.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 const fn integral(polynomial: &[i128; ROOM], j: i128) -> i128 {
     let (mut below, mut above, mut sum) = (j, j + 1, 0);
     let mut k = 0;
@@ -195,6 +223,10 @@ const fn integral(polynomial: &[i128; ROOM], j: i128) -> i128 {
 
 /// δθ and δv, from the window's samples and as many samples before it as a block has.
 #[inline(always)]
+#[expect(
+    clippy::indexing_slicing,
+    reason = "every index is below the length of its array, a constant"
+)]
 pub fn lacking<R: Real, const N: usize, const M: usize>(
     samples: &[Increment<R>; N],
     single: &Weights<f32, M>,

@@ -18,6 +18,10 @@ use crate::sample::Increment;
 pub const SEEN: usize = 12;
 
 /// The coefficients of T_m at index m, in double precision.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 pub const fn table_f64<const P: usize>(block: usize) -> [[f64; P]; P] {
     // t(t + 1)…(t + m)/(m + 1)! = Π (Bσ + 2i − B)/(2(i + 1)), i = 0 … m
     let mut table = [[0.0; P]; P];
@@ -49,6 +53,10 @@ pub const fn table_f32<const P: usize>(block: usize) -> [[f32; P]; P] {
 
 /// The weight of the sum of |∇ᵏx|² over the samples seen in the estimated error of k samples, at index
 /// k − B: gain²/((SEEN − k) C(2k, k)).
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 pub const fn weights<const P: usize>(block: usize) -> [f32; P] {
     let gains = by_history(block, 0);
     let mut weights = [0.0; P];
@@ -63,6 +71,10 @@ pub const fn weights<const P: usize>(block: usize) -> [f32; P] {
 
 /// The fit of the newest `block` samples through at most P samples, and the number used.
 #[inline(always)]
+#[expect(
+    clippy::indexing_slicing,
+    reason = "every index is below the length of its array, a constant"
+)]
 pub fn behind<R: Real, const P: usize>(
     seen: &[Increment<R>; SEEN],
     block: usize,

@@ -48,6 +48,10 @@ impl<R: Real, const K: usize> Fit<R, K> {
     /// The fit to `P` samples, by a table in either precision, with the sum of the block that follows `history`
     /// samples. A window is symmetric if as many samples follow the block.
     #[inline(always)]
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "every index is below the length of its array, a constant"
+    )]
     pub fn from_samples<const P: usize>(
         samples: &[Increment<R>; P],
         history: usize,
@@ -120,6 +124,10 @@ impl<R: Real, const K: usize> Fit<R, K> {
 }
 
 /// The table of a window in double precision.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 pub const fn table_f64<const P: usize>(h: usize, b: usize) -> [[f64; P]; P] {
     let exact = Table::interpolating(h, b, P);
     let mut table = [[0.0; P]; P];
@@ -141,6 +149,10 @@ pub const fn table_f32<const P: usize>(h: usize, b: usize) -> [[f32; P]; P] {
 }
 
 /// A table in single precision.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 pub(crate) const fn narrowed<const P: usize>(double: &[[f64; P]; P]) -> [[f32; P]; P] {
     let mut table = [[0.0; P]; P];
     let mut k = 0;
@@ -163,6 +175,10 @@ struct Table {
 
 impl Table {
     /// Through all of P samples.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the compiler alone evaluates it, and stops at an index out of range"
+    )]
     const fn interpolating(h: usize, b: usize, p: usize) -> Self {
         // Edges at sᵢ = 2i − (2H + B), σ = s/B. The integral F(s) has F(s_m) = Σ_{j<m} Δθⱼ, so Δθⱼ's share
         // is Σ_{m>j} ℓ_m(s), ℓ_m = Π_{i≠m}(s − sᵢ)/(s_m − sᵢ), Π_{i≠m}(s_m − sᵢ) = 2ᴾ(−1)ᴾ⁻ᵐ m!(P − m)!.
@@ -196,6 +212,10 @@ impl Table {
 }
 
 /// The coefficients of Π_{i≠m}(s − sᵢ) over the edges of P samples.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 const fn product_without(m: usize, h: usize, b: usize, p: usize) -> [i128; MOST_SAMPLES + 1] {
     let mut product = [0; MOST_SAMPLES + 1];
     product[0] = 1;

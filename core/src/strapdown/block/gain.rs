@@ -21,6 +21,10 @@ use super::shape::WindowShape;
 /// assert!((gain(2, 4, 2) - 1.14).abs() < 0.01);
 /// assert!((gain(0, 4, 10) - 72.0).abs() < 1.0);
 /// ```
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 pub const fn gain_squared(WindowShape { history, block, lookahead }: WindowShape) -> f64 {
     if block == 0 || history + block + lookahead > MOST_SAMPLES {
         return f64::INFINITY;
@@ -30,6 +34,10 @@ pub const fn gain_squared(WindowShape { history, block, lookahead }: WindowShape
 
 /// gain² of the windows with a block and a look-ahead, at the index of their history; infinite beyond
 /// [`MOST_SAMPLES`].
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 pub(crate) const fn by_history(block: usize, lookahead: usize) -> [f64; MOST_SAMPLES] {
     // Gauss and Legendre's five points on every sample.
     const PLACES: [f64; 5] =
@@ -66,6 +74,10 @@ pub(crate) const fn by_history(block: usize, lookahead: usize) -> [f64; MOST_SAM
 }
 
 /// Σⱼ r_j(t)² of the polynomial through the newest P samples, at index P − 1.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 const fn weights_squared(t: f64) -> [f64; MOST_SAMPLES] {
     let mut squares = [0.0; MOST_SAMPLES];
     let (mut weights, mut binomials) = ([0.0; MOST_SAMPLES], [0.0; MOST_SAMPLES]);

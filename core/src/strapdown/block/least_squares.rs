@@ -24,6 +24,10 @@ use crate::sample::Increment;
 
 /// The fit of a line (K = 2) or a parabola (K = 3) to a block, and the block's sum.
 #[inline(always)]
+#[expect(
+    clippy::indexing_slicing,
+    reason = "every index is below the length of its array, a constant"
+)]
 pub fn least_squares<R: Real, const K: usize>(block: &[Increment<R>]) -> (Fit<R, K>, Increment<R>) {
     const { assert!(K == 2 || K == 3, "a line or a parabola") };
     let mut s1 = [R::Twin::both(R::ZERO); 3];

@@ -66,6 +66,10 @@ impl<R: Real> Edges<R> {
 }
 
 /// gain² at [block − 1][near][far]: a weight, so single precision is enough.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 const GAINS: [[[f32; MOST_SAMPLES]; MOST_NEAR + 1]; MOST_BLOCK] = {
     let mut gains = [[[f32::INFINITY; MOST_SAMPLES]; MOST_NEAR + 1]; MOST_BLOCK];
     let mut block = 1;

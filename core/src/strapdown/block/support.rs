@@ -121,6 +121,10 @@ impl<R: Real> Differences<R> {
 }
 
 /// C(2k, k), up to k = 14, all exact in single precision.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler alone evaluates it, and stops at an index out of range"
+)]
 const OF_NOISE: [f32; MOST_SAMPLES + 1] = {
     let mut binomials = [0.0; MOST_SAMPLES + 1];
     let mut k = 0;

@@ -200,15 +200,20 @@ macro_rules! windows {
         /// The shape of every named window.
         pub const NAMED: &[WindowShape] = &[$($name::SHAPE),+];
 
-        /// Calls a macro with the names of all windows, after the tokens given here:
-        /// `every_window!(list! [frame])` is `list!([frame] H0B2A0, H0B3A0, …)`.
+        #[doc(hidden)]
         #[macro_export]
         macro_rules! every_window {
             ($d each:ident! $d($d first:tt)*) => { $d each! { $d($d first)* $($name),+ } };
         }
 
+        /// Calls a macro with the names of all windows, after the tokens given here:
+        /// `every_window!(list! [frame])` is `list!([frame] H0B2A0, H0B3A0, …)`.
+        #[doc(inline)]
+        pub use every_window;
+
         /// The same for the windows of a use, as the table below has it:
         /// `windows_of!(lanes list! [frame])` is `list!([frame] H0B4A0, H2B4A2, …)`.
+        #[doc(hidden)]
         #[macro_export]
         macro_rules! windows_of {
             ($d of:ident $d each:ident! $d($d first:tt)*) => {

@@ -5,7 +5,7 @@
 //! | [`local_level`] | north, east, down at the vehicle |
 //! | [`earth_fixed`] | axes that turn with the Earth |
 //! | [`block_time`] | constants that depend only on a block's duration |
-//! | [`meridian`] | latitude's sine and cosine, advanced by increments |
+//! | `meridian` | latitude's sine and cosine, advanced by increments |
 //! | `displacement`, `beginning` | the displacement over a block, from its forces |
 //! | [`gravitation`], `gravity_history` | gravity and its differences from block to block |
 //! | `two_float` | the same step with two-float products |
@@ -17,6 +17,7 @@ pub mod earth_fixed;
 pub mod gravitation;
 mod gravity_history;
 pub mod local_level;
+#[doc(hidden)]
 pub mod meridian;
 mod two_float;
 

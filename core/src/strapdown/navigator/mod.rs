@@ -289,6 +289,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// Stores a sample, dropping the oldest ones a block at a time.
     #[inline(always)]
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the loop ends at the length, and a copy in one call takes longer"
+    )]
     fn store(&self, state: &mut State<F, W>, sample: Increment<R>, excess: R) {
         let samples = state.samples.as_mut();
         let kept = state.intervals.excess_mut();

@@ -63,6 +63,10 @@ impl<R: Real> Bridge<R> {
 
     /// Takes the next sample, or its absence, and passes on what can be: a gap is filled along the
     /// straight line between its neighbours, once the second is there.
+    ///
+    /// # Errors
+    ///
+    /// [`Missing`] if gaps are not bridged or cannot be; otherwise the errors of the receiver of samples.
     pub fn take<E: From<Missing>>(
         &mut self,
         sample: Option<Increment<R>>,
@@ -83,6 +87,10 @@ impl<R: Real> Bridge<R> {
 
     /// Fills what is missing at the end of the stream: with the last sample there was; if there was none,
     /// that is refused.
+    ///
+    /// # Errors
+    ///
+    /// [`Missing`] if gaps are not bridged or cannot be; otherwise the errors of the receiver of samples.
     pub fn finish<E: From<Missing>>(
         &mut self,
         mut pass: impl FnMut(&Increment<R>) -> Result<(), E>,

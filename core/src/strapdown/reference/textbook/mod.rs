@@ -61,6 +61,10 @@ pub trait TextbookFrame: Copy + Plausible {
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
     fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
     /// Whether navigation can go on from where it stands.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected::Pole`] or [`Rejected::Place`].
     fn check_place(&self) -> Result<(), Rejected>;
     /// The state as it stands.
     fn output(&self) -> Self::Output;
@@ -86,11 +90,19 @@ pub struct TextbookState<F: TextbookFrame> {
 
 impl<F: TextbookFrame> Textbook<F> {
     /// With a sampling interval in seconds and the default limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn new(interval_s: F::Real) -> Result<Self, StartError> {
         Self::with_limits(interval_s, Limits::default())
     }
 
     /// With a sampling interval in seconds and limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn with_limits(interval_s: F::Real, limits: Limits<F::Real>) -> Result<Self, StartError> {
         Ok(Self {
             interval: interval_s,

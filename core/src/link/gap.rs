@@ -1,4 +1,22 @@
 //! Missing samples: they end the run, or are filled from their neighbours.
+//!
+//! ```
+//! use schuler::link::gap::{Bridge, Missing, Policy};
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! let sample = |x: f64| Increment { angle_b: Vector::new(x, 0.0, 0.0), velocity_b: Vector::ZERO };
+//! let mut bridge = Bridge::new(Policy::Bridge);
+//! let mut passed = Vec::new();
+//! for came in [Some(sample(1.0)), None, Some(sample(3.0))] {
+//!     bridge.take(came, |increment| -> Result<(), Missing> {
+//!         passed.push(increment.angle_b.x);
+//!         Ok(())
+//!     })?;
+//! }
+//! assert_eq!(passed, [1.0, 2.0, 3.0]);
+//! # Ok::<(), Missing>(())
+//! ```
 
 use crate::math::real::Real;
 use crate::record::Record;

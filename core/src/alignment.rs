@@ -83,6 +83,10 @@ impl<R: Scalar> Alignment<R> {
     }
 
     /// Roll and pitch, with a yaw that is known from elsewhere, rad.
+    ///
+    /// # Errors
+    ///
+    /// [`AlignmentError`] without samples, or if the vectors vanish, are not finite or are parallel.
     pub fn level(&self, yaw: R) -> Result<Euler<R>, AlignmentError> {
         if self.samples == 0 {
             return Err(AlignmentError::Empty);
@@ -96,6 +100,10 @@ impl<R: Scalar> Alignment<R> {
     }
 
     /// The attitude, rad.
+    ///
+    /// # Errors
+    ///
+    /// [`AlignmentError`] without samples, or if the vectors vanish, are not finite or are parallel.
     pub fn attitude(&self) -> Result<Euler<R>, AlignmentError> {
         if self.samples == 0 {
             return Err(AlignmentError::Empty);

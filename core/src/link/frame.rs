@@ -142,6 +142,10 @@ impl Writer<'_> {
 }
 
 /// Writes a frame for the line, its payload by `payload`.
+///
+/// # Errors
+///
+/// [`TooLong`] if the payload exceeds [`MOST_PAYLOAD`].
 pub fn encode<'a>(
     header: &Header,
     buffer: &'a mut [u8; MOST_ENCODED],

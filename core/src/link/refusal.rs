@@ -1,4 +1,12 @@
 //! Refusals of a target, with their reasons.
+//!
+//! ```
+//! use schuler::link::refusal::Refusal;
+//!
+//! for &refusal in Refusal::ALL {
+//!     assert_eq!(Refusal::of(refusal.code()), Some(refusal));
+//! }
+//! ```
 
 use super::gap::{MOST_BRIDGED, Missing};
 use crate::strapdown::limits::{Rejected, StartError};

@@ -31,6 +31,10 @@ pub struct Constant<R> {
 
 impl<R: Deviate> Constant<R> {
     /// From the bias of each axis, angle/s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a bias is not finite.
     pub fn new(bias: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let bias = Parameter::Constant.signed(bias)?;
         // ∫b dt = bΔt

@@ -64,6 +64,10 @@ pub fn poles<R: Deviate>(timing: Timing<R>) -> impl Iterator<Item = (R, R)> {
 
 impl<R: Deviate> Flicker<R> {
     /// From B of each axis, angle/s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a number is negative or not finite.
     pub fn new(instability: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let instability = Parameter::BiasInstability.magnitude(instability)?;
         let mut table = [None; DECADES];

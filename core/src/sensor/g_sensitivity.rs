@@ -30,6 +30,10 @@ pub struct GSensitivity<R> {
 
 impl<R: Deviate> GSensitivity<R> {
     /// From the coefficient of each axis, rad/s per m/s².
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a coefficient is not finite.
     pub fn new(coefficient: Vector<R>) -> Result<Self, ParameterError> {
         Ok(Self { coefficient: Parameter::GSensitivity.signed(coefficient)? })
     }

@@ -116,6 +116,10 @@ pub struct GaussMarkovState<R> {
 
 impl<R: Deviate> GaussMarkov<R> {
     /// From the rms of each axis, angle/s, and its correlation time, s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if an rms is negative, a correlation time is not positive, or either is not finite.
     pub fn new(
         rms: Vector<R>,
         correlation_s: Vector<R>,

@@ -32,6 +32,10 @@ pub struct Misalignment<R> {
 
 impl<R: Deviate> Misalignment<R> {
     /// From m in body axes, rad.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if an angle is not finite.
     pub fn new(rotation: Vector<R>) -> Result<Self, ParameterError> {
         Ok(Self { rotation: Parameter::Misalignment.signed(rotation)? })
     }

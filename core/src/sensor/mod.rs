@@ -46,6 +46,10 @@ pub struct Timing<R> {
 impl<R: Deviate> Timing<R> {
     /// A sample every `interval_s` seconds, and the number of samples in a run, at least one. The run's length
     /// matters only to flicker: it sets the slowest pole.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if the interval is not positive and finite, or there are no samples.
     pub fn new(interval_s: R, samples: u64) -> Result<Self, ParameterError> {
         let interval_s = Parameter::Interval.single(interval_s)?;
         if samples == 0 {

@@ -38,6 +38,10 @@ pub struct Quantization<R> {
 
 impl<R: Deviate> Quantization<R> {
     /// From the least significant bit of each axis, angle; 0 leaves an axis continuous.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a step is negative or not finite.
     pub fn new(step: Vector<R>) -> Result<Self, ParameterError> {
         let step = Parameter::Quantization.magnitude(step)?;
         let inverse = step.map(|s| if s > R::ZERO { R::ONE / s } else { R::ZERO });

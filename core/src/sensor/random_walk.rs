@@ -46,6 +46,10 @@ pub struct RandomWalkState<R> {
 
 impl<R: Deviate> RandomWalk<R> {
     /// From K of each axis, angle/s/√s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a density is negative or not finite.
     pub fn new(density: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let density = Parameter::RandomWalk.magnitude(density)?;
         let interval_s = timing.interval_s();

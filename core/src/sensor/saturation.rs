@@ -31,6 +31,10 @@ pub struct Saturation<R> {
 
 impl<R: Deviate> Saturation<R> {
     /// From the largest output of each axis, angle/s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a limit is not positive and finite.
     pub fn new(limit: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let limit = Parameter::Saturation.positive(limit)?;
         let interval_s = timing.interval_s();

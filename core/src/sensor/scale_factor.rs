@@ -30,6 +30,10 @@ pub struct ScaleFactor<R> {
 
 impl<R: Deviate> ScaleFactor<R> {
     /// From the relative error of each axis.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if an error is not finite.
     pub fn new(relative: Vector<R>) -> Result<Self, ParameterError> {
         Ok(Self { relative: Parameter::ScaleFactor.signed(relative)? })
     }

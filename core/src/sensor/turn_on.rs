@@ -31,6 +31,10 @@ pub struct TurnOn<R> {
 
 impl<R: Deviate> TurnOn<R> {
     /// From the rms of each axis, angle/s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if an rms is negative or not finite.
     pub fn new(rms: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let rms = Parameter::TurnOnRms.magnitude(rms)?;
         let rms_increment = Parameter::TurnOnRms.computed(rms * timing.interval_s())?;

@@ -31,6 +31,10 @@ pub struct White<R> {
 
 impl<R: Deviate> White<R> {
     /// From N of each axis, angle/√s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a density is negative or not finite.
     pub fn new(density: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let density = Parameter::WhiteNoise.magnitude(density)?;
         let deviation = Parameter::WhiteNoise.computed(density * timing.interval_s().sqrt())?;

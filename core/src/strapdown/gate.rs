@@ -1,4 +1,10 @@
 //! Checks of input: initial solutions, samples and held verticals are accepted or refused here.
+//!
+//! ```
+//! use schuler::strapdown::gate::subnormals_survive;
+//!
+//! assert!(subnormals_survive::<f32>() && subnormals_survive::<f64>());
+//! ```
 
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
 use crate::math::compensated::Pair;

@@ -44,11 +44,23 @@ pub trait Mechanization {
     type Body: Copy;
 
     /// Starts from an initial solution.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the initial solution is out of range, or navigation cannot start at its place.
     fn start(&self, initial: &Solution<Self::Real>) -> Result<Self::State, StartError>;
     /// Takes a sample, without reading rows.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample is refused. The state is then unchanged.
     fn push(&self, state: &mut Self::State, sample: Increment<Self::Real>) -> Result<(), Rejected>;
     /// Takes a sample and reads the rows that it completes: the number of samples up to each row, and the
     /// solution there.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample is refused. The state is then unchanged.
     fn push_rows(
         &self,
         state: &mut Self::State,
@@ -61,6 +73,10 @@ pub trait Mechanization {
     fn finish_rows(&self, state: &mut Self::State, read: impl FnMut(u64, Self::Output));
     /// Takes a sample and shows every step that it completes: the number of samples at its end, the
     /// body's motion over it, and the frame after it. This is what an audit records.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample is refused. The state is then unchanged.
     fn push_blocks(
         &self,
         state: &mut Self::State,
@@ -74,6 +90,10 @@ pub trait Mechanization {
         see: impl FnMut(u64, &Self::Body, &Self::Frame),
     );
     /// Sets height (m) and vertical velocity (down, m/s), as an altimeter would.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected::Held`] if a number is out of range. The state is then unchanged.
     fn hold_vertical(
         &self,
         state: &mut Self::State,
@@ -95,6 +115,10 @@ pub trait Mechanization {
     ) -> Result<(), Rejected>;
     /// Checks whether a restored state can be a state of this navigator. Call it for every state that was
     /// written back, before navigation continues.
+    ///
+    /// # Errors
+    ///
+    /// [`Damaged`] if it cannot.
     fn check(&self, state: &Self::State) -> Result<(), Damaged>;
     /// The part of a state that belongs to the frame.
     fn frame(state: &Self::State) -> &Self::Frame;
@@ -115,6 +139,10 @@ pub trait Mechanization {
 /// A mechanization that takes samples of any length.
 pub trait UnequalIntervals: Mechanization {
     /// Takes a sample with its own interval in seconds, above 0 s and at most 1 s, without reading rows.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample or its interval is refused. The state is then unchanged.
     fn push_over(
         &self,
         state: &mut Self::State,
@@ -122,6 +150,10 @@ pub trait UnequalIntervals: Mechanization {
         interval_s: Pair<Self::Real>,
     ) -> Result<(), Rejected>;
     /// The same, reading the rows that it completes.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample or its interval is refused. The state is then unchanged.
     fn push_rows_over(
         &self,
         state: &mut Self::State,
@@ -130,6 +162,10 @@ pub trait UnequalIntervals: Mechanization {
         read: impl FnMut(u64, Self::Output),
     ) -> Result<(), Rejected>;
     /// The same, showing every step that it completes.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample or its interval is refused. The state is then unchanged.
     fn push_blocks_over(
         &self,
         state: &mut Self::State,

@@ -150,6 +150,10 @@ pub struct HarmonicTrajectory<R, const N: usize> {
 
 impl<R: Scalar, const N: usize> HarmonicTrajectory<R, N> {
     /// From its channels.
+    ///
+    /// # Errors
+    ///
+    /// [`CourseError`] if there are more than `N` harmonics, or a number is not finite.
     pub fn new(channels: Channels<'_, R>) -> Result<Self, CourseError> {
         let full = CourseError::TooManyHarmonics { room: N };
         let Channels { roll, pitch, yaw, latitude, longitude, altitude } = channels;

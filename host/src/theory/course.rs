@@ -1,4 +1,4 @@
-//! What a scene's theory is integrated along: the true motion, and the sources of error.
+//! The input to a scene's theory: the true motion and the sources of error.
 
 use super::limits;
 use super::moments::Covariance;

@@ -1,6 +1,22 @@
 //! Rows inside a block, by evaluating its series.
 //!
 //! Even and odd powers are summed separately, so that one evaluation serves σ and −σ.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::body::{Sum, integrate};
+//! use schuler::strapdown::block::fit::Fit;
+//! use schuler::strapdown::block::inside::BlockSeries;
+//!
+//! // A steady force for one second: after half of it u is half of the whole, s a quarter.
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.25, 0.0, 0.0) };
+//! let (fit, _) = Fit::<f64, 4>::of_any(&[sample; 4], 0, 4);
+//! let (body, series) = integrate::<f64, 4, 11>(&fit, &Sum::plain(&[sample; 4]), 0.5, 10);
+//! let half = series.until(0.0, 0.5);
+//! assert!((half.velocity.x - 0.5 * body.velocity.x).abs() < 1e-15);
+//! assert!((half.position.x - 0.25 * body.position.x).abs() < 1e-15);
+//! ```
 
 use super::body::BodyMotion;
 use super::series::{Series, Term};

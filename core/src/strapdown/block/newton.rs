@@ -7,6 +7,25 @@
 //! the least error is estimated as in [`support`](super::support), for gyros and accelerometers separately. If the
 //! stream is long enough, it is then estimated for each axis, up to that P: a cone has its second harmonic on its
 //! third axis.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::newton::{Edge, supported};
+//! use schuler::strapdown::block::support::Differences;
+//!
+//! // A slow oscillation supports a long window, one of 2.5 samples per cycle a short one.
+//! let samples = |per_cycle: f64| {
+//!     let mut differences = Differences::<f64>::new();
+//!     for k in 0..14 {
+//!         let phase = core::f64::consts::TAU * f64::from(k) / per_cycle;
+//!         let angle_b = Vector::new(phase.cos(), phase.sin(), 0.0);
+//!         differences.add(&Increment { angle_b, velocity_b: Vector::ZERO });
+//!     }
+//!     supported(&differences, Edge { near: 0, block: 4, far: 10 }).gyro
+//! };
+//! assert!(samples(50.0) > samples(2.5));
+//! ```
 
 use super::fit::{Fit, MOST_SAMPLES};
 use super::gain::by_history;

@@ -10,8 +10,8 @@
 //! S₀ = v₀T + net,  S₁ = v₀T²/2 + ∫net,  S₂ = v₀T³/6 + ∬net,
 //! d = ∫w = S₀ − Ω×S₁ + Ω×(Ω×S₂) − …,  D = R(−ΩT)(S₀ + Ω×(Ω×S₂) + …).
 //!
-//! Left out are Ω³v₀T⁴/24 of d, which changes velocity only by Ω⁴v₀T⁴/24, Ω⁴v₀T⁵/120 of D, and Ω²ȧT⁵/180 of
-//! both, since ∬net = net·T²/12 is exact for constant a.
+//! Left out are Ω³v₀T⁴/24 of d, which changes velocity only by Ω⁴v₀T⁴/24, terms of Ω⁴v₀T⁵ of D, and Ω²ȧT⁵/180
+//! of both, since ∬net = net·T²/12 is exact for constant a.
 
 use crate::earth::ROTATION_RATE;
 use crate::math::compensated::{two_product, two_sum};

@@ -3,18 +3,6 @@
 //! Within a block the axes n0 stand still in inertial space as they were at its start, and velocity is
 //! relative to the Earth; at the end the frame turns to the new place. No number of the state is as large as the
 //! Earth's radius, so this is the frame for single precision. Near a pole use the Earth-fixed frame.
-//!
-//! ```
-//! use schuler::earth::Geodetic;
-//! use schuler::math::{compensated::Pair, vector::Vector};
-//! use schuler::solution::{Euler, Solution};
-//! use schuler::strapdown::frame::{Frame, local_level::LocalLevel};
-//!
-//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
-//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
-//! let frame = LocalLevel::<Pair<f64>>::start(&initial);
-//! assert!(frame.check_place().is_ok());
-//! ```
 
 mod correct;
 mod plausible;

@@ -9,6 +9,19 @@
 //! | `displacement`, `beginning` | the displacement over a block, from its forces |
 //! | [`gravitation`], `gravity_history` | gravity and its differences from block to block |
 //! | `two_float` | the same step with two-float products |
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::solution::{Euler, Output, Solution};
+//! use schuler::strapdown::frame::{Frame, earth_fixed::EarthFixed, local_level::LocalLevel};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let local = LocalLevel::<Pair<f64>>::start(&initial).output();
+//! let fixed = EarthFixed::<Pair<f64>>::start(&initial).output().solution();
+//! assert!((local.position.altitude.hi - fixed.position.altitude.hi).abs() < 1e-8);
+//! ```
 
 mod beginning;
 pub mod block_time;
@@ -63,6 +76,10 @@ pub trait Frame: Copy + Send + Plausible {
     /// Adds a correction that is finite and not too large; what is refused leaves half of one.
     fn correct(&mut self, correction: &Correction<Self::Real>) -> Result<(), Rejected>;
     /// Whether navigation can continue at its place.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected::Pole`] or [`Rejected::Place`].
     fn check_place(&self) -> Result<(), Rejected>;
     /// The present solution.
     fn output(&self) -> Self::Output;

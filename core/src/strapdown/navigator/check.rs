@@ -10,6 +10,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// Checks whether a state can be a state of this navigator: its samples fit the room and are within the
     /// limits, the number of pending samples is possible between two samples, and the frame's fields are
     /// consistent.
+    ///
+    /// # Errors
+    ///
+    /// [`Damaged`] if it cannot.
     pub fn check(&self, state: &State<F, W>) -> Result<(), Damaged> {
         let samples = state.samples.as_ref();
         let sound = state.filled <= samples.len()

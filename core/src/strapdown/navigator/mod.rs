@@ -110,6 +110,10 @@ impl<F: Frame, W: Window> State<F, W> {
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// With a sampling interval in seconds and the default limits. A number such as 0.01 is rounded before
     /// it gets into a [`Pair::new`]; [`Strapdown::from_rate_hz`] has it exactly.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn new(interval_s: Pair<R>) -> Result<Self, StartError> {
         Self::with_limits(interval_s, Limits::default())
     }
@@ -135,6 +139,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 
     /// With a sampling interval in seconds and limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn with_limits(interval_s: Pair<R>, limits: Limits<R>) -> Result<Self, StartError> {
         Ok(Self {
             interval: interval_s,
@@ -152,6 +160,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 
     /// Starts from an initial solution, whose attitude is brought to unit length.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the initial solution is out of range, or navigation cannot start at its place.
     pub fn start(&self, initial: &Solution<R>) -> Result<State<F, W>, StartError> {
         let initial = admit_start(initial)?;
         let frame = F::start(&initial);
@@ -169,6 +181,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 
     /// Takes a sample; the state moves on whenever a block is complete.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample is refused. The state is then unchanged.
     #[inline(always)]
     pub fn push(&self, state: &mut State<F, W>, sample: Increment<R>) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
@@ -177,6 +193,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// Takes a sample and reads every row that it completes: the number of samples up to the row, and
     /// the navigation there.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample is refused. The state is then unchanged.
     #[inline(always)]
     pub fn push_rows(
         &self,
@@ -190,6 +210,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// Takes a sample and shows every block that it completes, step by step: the number of samples at
     /// the block's end, the body's motion over it, and the frame after it.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample is refused. The state is then unchanged.
     pub fn push_blocks(
         &self,
         state: &mut State<F, W>,

@@ -168,6 +168,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
     /// # Ok(())
     /// # }
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample or its interval is refused. The state is then unchanged.
     #[inline(always)]
     pub fn push_over(
         &self,
@@ -179,6 +183,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
     }
 
     /// The same, reading every row that the sample completes.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample or its interval is refused. The state is then unchanged.
     #[inline(always)]
     pub fn push_rows_over(
         &self,
@@ -191,6 +199,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
     }
 
     /// The same, showing every block that it completes, step by step.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample or its interval is refused. The state is then unchanged.
     pub fn push_blocks_over(
         &self,
         state: &mut State<F, Unequal<W>>,

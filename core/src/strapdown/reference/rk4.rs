@@ -96,6 +96,10 @@ impl<R: Real> Moving<R> {
 
 impl<R: Real> RungeKutta<R> {
     /// With a sampling interval in seconds, half a step, and the default limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn new(interval_s: R) -> Result<Self, StartError> {
         let limits = Limits::default();
         Gate::new(interval_s, limits, 2)?;
@@ -103,6 +107,10 @@ impl<R: Real> RungeKutta<R> {
     }
 
     /// Starts from an initial solution, whose attitude is brought to unit length.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the initial solution is out of range, or navigation cannot start at its place.
     pub fn start(&self, initial: &Solution<R>) -> Result<RungeKuttaState<R>, StartError> {
         let initial = admit_start(initial)?;
         let at = initial.to_earth_fixed();
@@ -120,6 +128,10 @@ impl<R: Real> RungeKutta<R> {
 
     /// Steps over two samples, given the rates at the start, in the middle and at the end. What is
     /// refused leaves the state as it was.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the rates are refused. The state is then unchanged.
     #[inline]
     pub fn step(
         &self,

@@ -64,6 +64,10 @@ pub trait TextbookFrame: Copy + Send + Plausible {
     /// Adds a correction that is finite and not too large; what is refused leaves half of one.
     fn correct(&mut self, correction: &Correction<Self::Real>) -> Result<(), Rejected>;
     /// Whether navigation can continue at its place.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected::Pole`] or [`Rejected::Place`].
     fn check_place(&self) -> Result<(), Rejected>;
     /// The state as it stands.
     fn output(&self) -> Self::Output;
@@ -89,6 +93,10 @@ pub struct TextbookState<F: TextbookFrame> {
 
 impl<F: TextbookFrame> Textbook<F> {
     /// With a sampling interval in seconds and the default limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn new(interval_s: F::Real) -> Result<Self, StartError> {
         Self::with_limits(interval_s, Limits::default())
     }
@@ -107,6 +115,10 @@ impl<F: TextbookFrame> Textbook<F> {
     }
 
     /// With a sampling interval in seconds and limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn with_limits(interval_s: F::Real, limits: Limits<F::Real>) -> Result<Self, StartError> {
         Ok(Self {
             interval: interval_s,

@@ -1,15 +1,29 @@
-//! A running hash of states: runs with equal digests had, but for a chance of 2⁻⁶⁴, equal
-//! bits in every field after every block. A chain keeps it at checkpoints, between which two runs
-//! that part can be told apart.
+//! A running hash of states. Two runs with equal digests had equal bits in every field after every block,
+//! except with a probability of 2⁻⁶⁴. A chain keeps the digest at checkpoints, so that the interval in which
+//! two runs begin to differ can be found.
 //!
-//! Every word goes into one of four lanes in turn, each state beginning with the first, so that the
-//! multiplications overlap; it is no cryptographic hash. Words are numbers, not bytes in memory, so
-//! that endianness does not show.
+//! Words go into four lanes in turn, starting each state with the first, so that the
+//! multiplications overlap. It is not a cryptographic hash. Words are numbers, not bytes in memory, so
+//! the result does not depend on endianness.
 //!
 //! The promise behind it: for one scene, seed, precision and configuration every state has the same
-//! bits on every target. It rests on IEEE 754's + − × ÷ √, a pinned libm, no float function of the
-//! standard library, no fused multiplication and addition, no NaN in a state, and subnormal numbers
-//! that survive. −0 counts as what it is: it comes about by the same operations everywhere.
+//! bits on every target. It rests on IEEE 754's + − × ÷ √, one version of libm, no float function of the
+//! standard library, no fused multiplication and addition, no NaN in a state, and subnormal numbers that
+//! are not flushed to zero. −0 and +0 are different words: the same operations give the same zero everywhere.
+//!
+//! ```
+//! use schuler::digest::{Chain, Digest};
+//! use schuler::math::vector::Vector;
+//!
+//! let (mut one, mut other) = (Digest::default(), Digest::default());
+//! one.add(&Vector::new(0.1_f32, 0.2, 0.3));
+//! other.add(&Vector::new(0.1_f32, 0.2, 0.3_f32.next_up()));
+//! assert_ne!(one.value(), other.value());
+//!
+//! let mut chain = Chain::new(2);
+//! assert_eq!(chain.add(1, &1.0_f64), None);
+//! assert_eq!(chain.add(2, &1.0_f64).map(|checkpoint| checkpoint.sample), Some(2));
+//! ```
 
 use crate::record::{Record, record};
 
@@ -24,8 +38,7 @@ pub struct Digest {
 /// Odd, with bits well spread: ⌊2⁶⁴/golden ratio⌋.
 const MULTIPLIER: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// Words that nobody counts beyond: a state of a hundred a nanosecond for years.
-#[cfg(feature = "link")]
+/// More words than any run can have: a state of 100 words every nanosecond for a year.
 const MOST_WORDS: u64 = 1 << 62;
 
 impl Default for Digest {
@@ -35,7 +48,7 @@ impl Default for Digest {
 }
 
 impl Digest {
-    /// Takes in every field of a state.
+    /// Adds every field of a state.
     #[inline(always)]
     pub fn add<S: Record>(&mut self, state: &S) {
         let mut adding = Adding { digest: *self, lane: 0 };
@@ -56,9 +69,8 @@ impl Digest {
     }
 }
 
-#[cfg(feature = "link")]
 impl Digest {
-    /// Whether it can be one: any lanes are, but not any number of words.
+    /// Whether it can be a digest: lanes may have any value, but the number of words is limited.
     pub(crate) fn is_plausible(&self) -> bool {
         self.words <= MOST_WORDS
     }
@@ -104,13 +116,13 @@ pub struct Checkpoint {
 }
 
 impl Chain {
-    /// With a checkpoint at the first state that lies so many samples, at least one, behind the last.
+    /// With a checkpoint at the first state at least this many samples (at least one) after the last checkpoint.
     pub fn new(every: u64) -> Self {
         let every = every.max(1);
         Self { digest: Digest::default(), every, next: every }
     }
 
-    /// Takes in the state after so many samples; a checkpoint if one is due.
+    /// Adds the state after this many samples; returns a checkpoint if one is due.
     #[inline(always)]
     pub fn add<S: Record>(&mut self, sample: u64, state: &S) -> Option<Checkpoint> {
         self.digest.add(state);
@@ -144,7 +156,7 @@ impl Chain {
 
 #[inline(always)]
 fn mix(sum: u64, word: u64) -> u64 {
-    // Each round is a bijection of the sum, so two runs that differ once stay apart.
+    // Each round is a bijection of the sum, so two runs that differ once go on to differ.
     let x = (sum ^ word).wrapping_mul(MULTIPLIER);
     x ^ (x >> 32)
 }

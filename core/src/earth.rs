@@ -3,6 +3,15 @@
 //! Earth-fixed axes: z along the axis of rotation, x through the meridian of Greenwich.
 //! Source: NIMA TR8350.2 (WGS-84), equations 4-1 to 4-3; Groves, *Principles of GNSS, Inertial and
 //! Multisensor Integrated Navigation Systems*, 2nd ed., §2.4.
+//!
+//! ```
+//! use schuler::earth::{Geodetic, gravity};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 1.7, altitude: 3500.0 };
+//! let back = Geodetic::from_earth_fixed(at.to_earth_fixed());
+//! assert!((back.altitude - 3500.0).abs() < 1e-8);
+//! assert!((gravity(0.0_f64, 0.0) - 9.7803253359).abs() < 1e-12);
+//! ```
 
 pub mod closed_form;
 
@@ -26,13 +35,13 @@ pub const SOMIGLIANA: f64 = 0.00193185265241;
 /// Ratio of centrifugal to gravitational acceleration at the equator m.
 pub const CENTRIFUGAL_RATIO: f64 = 0.00344978650684;
 
-/// sin 84°: the true latitude beyond which meridians are not compared. Where the universal polar
-/// stereographic grid takes over from meridians (NGA.SIG.0012, *The universal grids*), so does the drift.
+/// sin 84°: the true latitude beyond which meridians are not compared. It is the limit at which the universal
+/// polar stereographic grid begins (NGA.SIG.0012, *The universal grids*).
 ///
-/// There the angle between the two meridians tells of the position, not of the attitude or the velocity,
-/// and at the pole there is none. So the computed north is the true one, carried along the shortest way
-/// from the true to the computed position. It depends on the truth alone which rule holds: a drift and
-/// what theory expects of it are always of the same kind.
+/// Beyond it, the angle between the two meridians is an effect of the position error, not of attitude or
+/// velocity, and at the pole it is undefined. So the computed north is then the true one, carried along the
+/// shortest path from the true to the computed position. The truth alone decides which rule holds, so a drift
+/// and its theoretical value always follow the same rule.
 pub const POLAR_SINE: f64 = 0.994_521_895_368_273_3;
 
 /// A point by its geodetic coordinates.
@@ -95,8 +104,8 @@ impl<R: Real> Radii<R> {
 
 /// Normal gravity γ at a latitude (its sine) and altitude, m/s², down along the ellipsoid's normal.
 ///
-/// Exact on the ellipsoid; above it a series of second order, without the component to the north. What it
-/// lacks of the [closed form](closed_form), in µg (9.80665e-6 m/s²):
+/// Exact on the ellipsoid; above it a series of second order in height, without the component to the north.
+/// Its difference from the [closed form](closed_form), in µg (9.80665e-6 m/s²):
 ///
 /// | altitude | down, 0° | down, 45° | down, 90° | north, 45° |
 /// |---|---|---|---|---|
@@ -108,8 +117,8 @@ impl<R: Real> Radii<R> {
 /// | 300 km | -350.9 | -374.7 | -398.9 | -240.7 |
 /// | 1000 km | -12437 | -12689 | -12943 | -741.8 |
 ///
-/// The Earth's own field departs from any normal gravity by tens of µg at the ground. Truth and navigation
-/// use the same series, so that a simulation does not show what a real flight would.
+/// The Earth's real field differs from normal gravity by tens of µg at the ground. Truth and navigation
+/// use the same series, so a simulation does not show this error of a real flight.
 #[inline]
 pub fn gravity<R: Real>(sine: R, altitude: R) -> R {
     // γ = γ_e(1 + k sin²φ)/√(1 − e² sin²φ) · [1 − (2/a)(1 + f + m − 2f sin²φ)h + 3h²/a²]
@@ -152,7 +161,7 @@ impl<R: Real> Geodetic<R> {
         )
     }
 
-    /// From an Earth-fixed position; anywhere but within 300 km of the Earth's centre.
+    /// From an Earth-fixed position at least 300 km from the Earth's centre.
     pub fn from_earth_fixed(position_e: Vector<R>) -> Self {
         let Vector { x, y, z } = position_e;
         let e2 = R::of(ECCENTRICITY_SQUARED);
@@ -170,7 +179,7 @@ impl<R: Real> Geodetic<R> {
             // Δφ = (z cosφ − p sinφ + e² N sinφ cosφ)/(R_M + h)
             latitude = latitude + (c * z - s * p + e2 * n * s * c) / (radii.meridian + altitude);
         }
-        // At a pole rounding may lead beyond it.
+        // At a pole rounding may exceed 90°.
         let most = R::of(core::f64::consts::FRAC_PI_2);
         latitude = R::select(most.less(latitude), most, latitude);
         latitude = R::select(latitude.less(-most), -most, latitude);

@@ -1,4 +1,27 @@
 //! The perfect inertial unit: rates from the motion, increments by quadrature of the rates.
+//!
+//! ```
+//! use schuler::imu::{Quadrature, rates};
+//! use schuler::trajectory::harmonic::{Channel, Channels, Harmonic, HarmonicTrajectory};
+//! use schuler::trajectory::Trajectory;
+//!
+//! let fixed = |offset| Channel { offset, rate: 0.0, harmonics: &[] };
+//! let swing = [Harmonic { amplitude: 0.1_f64, angular_rate: 2.0, phase: 0.0 }];
+//! let flight = HarmonicTrajectory::<f64, 1>::new(Channels {
+//!     roll: Channel { harmonics: &swing, ..fixed(0.0) },
+//!     pitch: fixed(0.0),
+//!     yaw: fixed(0.0),
+//!     latitude: fixed(0.8),
+//!     longitude: fixed(0.1),
+//!     altitude: fixed(100.0),
+//! })?;
+//! let quadrature = Quadrature::plan(flight.bound().bandwidth, 0.01);
+//! let first = quadrature.sample(&flight, 1, 100.0);
+//! // The increment is about the rate in the middle times the interval.
+//! let middle = rates(&flight.at(0.005));
+//! assert!((first.angle_b - middle.rate_ib_b * 0.01).norm() < 1e-8);
+//! # Ok::<(), schuler::trajectory::harmonic::CourseError>(())
+//! ```
 
 use crate::earth::{self, Radii};
 use crate::math::compensated::{Pair, two_product, two_sum};
@@ -72,7 +95,7 @@ const TRUNCATION: f64 = 1e-18;
 
 impl Quadrature {
     /// The fewest evaluations that reach the rounding floor for a motion of this bandwidth, rad/s,
-    /// over an interval in seconds; for what is faster still, 8 nodes in each of 1024 panels.
+    /// over an interval in seconds; for still faster motion, 8 nodes in each of 1024 panels.
     pub fn plan(bandwidth: f64, interval_s: f64) -> Self {
         let mut panels = 1;
         loop {
@@ -82,7 +105,7 @@ impl Quadrature {
                     return Self { nodes, panels };
                 }
             }
-            // Such a motion turns hundreds of times within a sample, and cannot be sampled anyhow.
+            // Such a motion turns hundreds of times within a sample: no sampling resolves it.
             if panels >= 1024 {
                 return Self { nodes: NODES.len(), panels };
             }
@@ -90,7 +113,7 @@ impl Quadrature {
         }
     }
 
-    /// The same panels with every node there is.
+    /// The same panels with the largest number of nodes.
     pub fn finest(self) -> Self {
         Self { nodes: NODES.len(), ..self }
     }
@@ -113,7 +136,7 @@ impl Quadrature {
         self.increment_about(trajectory, centre, Pair::sum(to_s, -from_s))
     }
 
-    /// The increment of the sample of a number, from 1, at so many samples per second.
+    /// The increment of a sample by its number, counted from 1, at a rate in samples per second.
     #[inline]
     pub fn sample<T: Trajectory<f64> + ?Sized>(
         self,
@@ -125,7 +148,7 @@ impl Quadrature {
         self.increment_about(trajectory, centre, Pair::new(rate_hz).reciprocal())
     }
 
-    /// The increment over an interval about its centre, s: neither is rounded to what a time can be.
+    /// The increment over an interval about its centre, s: both are more precise than a single `f64` time.
     #[inline]
     pub fn increment_about<R: Real, T: Trajectory<R> + ?Sized>(
         self,
@@ -179,8 +202,8 @@ impl Quadrature {
     }
 }
 
-/// When so many samples lie behind, s, with what rounding drops from it: a time of day as one double is
-/// off by 10⁻¹¹ s, which is a nanometre of fast motion.
+/// The time after a number of samples, s, with the part that rounding drops: a time of day in one double has
+/// an error of 10⁻¹¹ s, which is a nanometre in fast motion.
 #[inline]
 pub fn instant(samples: f64, rate_hz: f64) -> Pair<f64> {
     // n/f = t + (n − t·f)/f

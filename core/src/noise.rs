@@ -1,7 +1,17 @@
-//! Random numbers: independent streams, and normal deviates at a fixed price of one word each.
+//! Random numbers: independent streams, and normal deviates that use exactly one word each.
 //!
-//! A stream is a pure function of (seed, run, identity), so an ensemble does not depend on who
-//! computes which run, and a term's noise does not change when another term comes or goes.
+//! A stream is a pure function of (seed, run, identity). So an ensemble does not depend on which machine
+//! computes which run, and a term's noise does not change when another term is added or removed.
+//!
+//! ```
+//! use schuler::noise::Streams;
+//!
+//! let streams = || Streams::new(7, 0).branch(Streams::GYRO).axes();
+//! let ([mut x, mut y, _], [mut again, ..]) = (streams(), streams());
+//! let deviate: f64 = x.normal();
+//! assert_eq!(deviate, again.normal());
+//! assert_ne!(deviate, y.normal());
+//! ```
 
 mod quantile;
 
@@ -11,15 +21,15 @@ use quantile::{double, single};
 use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::{SplitMix64, Xoshiro256PlusPlus};
 
-/// SplitMix64's mixing of one word: a bijection in which every bit moves half of the others.
+/// SplitMix64's mixing of one word: a bijection in which every bit changes half of the others.
 fn mix(word: u64) -> u64 {
     SplitMix64::seed_from_u64(word).next_u64()
 }
 
 /// Where streams come from: a tree, whose root is a seed and a run.
 ///
-/// Each branch is told from its sisters by a number. The identity of a branch is a mixture of the
-/// numbers on the way to it.
+/// Branches of the same node have different numbers. The identity of a branch is a mixture of the
+/// numbers on the path to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Streams {
@@ -41,7 +51,7 @@ impl Streams {
         Self { seed, run, identity: 0 }
     }
 
-    /// A branch, in which everything differs from every other branch.
+    /// A branch, whose streams differ from those of every other branch.
     pub fn branch(self, number: u64) -> Self {
         Self { identity: mix(self.identity ^ mix(number)), ..self }
     }
@@ -90,7 +100,7 @@ impl Stream {
         self.0.state()
     }
 
-    /// Goes on, bit for bit, where [`Stream::to_bytes`] was called.
+    /// Continues, bit for bit, where [`Stream::to_bytes`] was called.
     pub fn from_bytes(bytes: [u8; Self::BYTES]) -> Self {
         Self(Xoshiro256PlusPlus::from_seed(bytes))
     }
@@ -113,14 +123,14 @@ impl Stream {
         R::normal(R::draw(self))
     }
 
-    /// A number in [0, 1), with all the digits that the type has there; draws one word.
+    /// A number in [0, 1), with all digits of the type; draws one word.
     #[inline]
     pub fn uniform<R: Deviate>(&mut self) -> R {
         R::uniform(R::draw(self))
     }
 }
 
-/// A scalar for which there are random deviates.
+/// A scalar with random deviates.
 pub trait Deviate: Scalar + Record {
     /// The random bits that make one deviate.
     type Word: Copy;
@@ -150,7 +160,7 @@ impl Deviate for f64 {
         const UNIT: f64 = 1.0 / (1u128 << 64) as f64;
         const CENTRE: i64 = (double::CENTRE / UNIT) as i64;
         let k = (word & (u64::MAX >> 1)) as i64;
-        // Deciding on the integer lets a mispredicted branch be found out early.
+        // Branching on the integer lets the processor detect a misprediction early.
         let z = if k < CENTRE {
             double::centre((k as f64 + 0.5) * UNIT)
         } else {
@@ -178,7 +188,7 @@ impl Deviate for f32 {
         const UNIT: f32 = 1.0 / (1u64 << 32) as f32;
         const CENTRE: i32 = (single::CENTRE / UNIT) as i32;
         let k = (word & (u32::MAX >> 1)) as i32;
-        // Deciding on the integer lets a mispredicted branch be found out early.
+        // Branching on the integer lets the processor detect a misprediction early.
         let z = if k < CENTRE {
             single::centre((k as f32 + 0.5) * UNIT)
         } else {

@@ -1,4 +1,14 @@
-//! One list of a state's fields: digest, storage, link and audit all walk it.
+//! One list of a state's fields, for digest, storage, link and audit.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::record::Record;
+//!
+//! let state = Vector::new(1.0_f32, 2.0, 3.0);
+//! let mut words = Vec::new();
+//! state.record("velocity", &mut |_, bits| words.push(bits));
+//! assert_eq!(words[1], u64::from(2.0_f32.to_bits()));
+//! ```
 
 use crate::earth::Geodetic;
 use crate::math::compensated::{Pair, Plain, TwoFloat};
@@ -7,14 +17,14 @@ use crate::math::vector::Vector;
 
 /// A state that can name its fields, to read them or to write them back.
 ///
-/// A field's bits stand in the low end of a word. The order is fixed, and the same for both; a vector's
+/// A field's bits are in the low end of a word. The order is fixed, and the same for both methods. A vector's
 /// components share its name.
 pub trait Record {
-    /// Shows every field's name and bits; `name` is what the owner calls this one.
+    /// Reads every field's name and bits; `name` is this field's name in its owner.
     fn record(&self, name: &'static str, read: &mut impl FnMut(&'static str, u64));
 
     /// Writes the fields: `write` gets a field's name and its bits, and returns the bits that the field
-    /// shall have, which are the same for a field that stays as it is.
+    /// is to have; to leave a field unchanged, it returns the same bits.
     fn restore(&mut self, name: &'static str, write: &mut impl FnMut(&'static str, u64) -> u64);
 }
 

@@ -1,7 +1,16 @@
 //! What an inertial unit delivers: instantaneous rates, or increments over a sample.
 //!
-//! The two are different types, since taking one for the other is the field's commonest and
-//! costliest mistake. A sample's time is the end of its interval.
+//! The two are different types, because confusing them is a common and costly mistake. A sample's
+//! time is the end of its interval.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! // A sample of 10 ms at rest, level: gravity upwards.
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -9.81 * 0.01) };
+//! assert_eq!(sample.angle_b.norm(), 0.0);
+//! ```
 
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
@@ -14,7 +23,7 @@ use crate::math::vector::Vector;
 pub struct Rates<R> {
     /// Angular rate of the body against inertial space, ω_ibᵇ, rad/s.
     pub rate_ib_b: Vector<R>,
-    /// Specific force, fᵇ, m/s²: what an accelerometer feels (−g upwards at rest).
+    /// Specific force, fᵇ, m/s²: what an accelerometer measures (at rest −g, that is, gravity's magnitude upwards).
     pub specific_force_b: Vector<R>,
 }
 

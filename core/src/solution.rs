@@ -1,6 +1,19 @@
-//! What navigation solves for: position, velocity and attitude.
+//! The navigation solution: position, velocity and attitude.
 //!
-//! Every number is a [`Pair`], so that single precision passes on all the digits that it carries.
+//! Every number is a [`Pair`], so that single precision passes on all of its digits.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::vector::Vector;
+//! use schuler::solution::{Euler, Solution};
+//!
+//! let attitude = Euler { roll: 0.1_f64, pitch: -0.2, yaw: 3.0 };
+//! let at = Geodetic { latitude: 0.8, longitude: 0.1, altitude: 100.0 };
+//! let solution = Solution::new(at, Vector::new(10.0, 0.0, 0.0), attitude);
+//! assert!((solution.euler().yaw - 3.0).abs() < 1e-15);
+//! let back = solution.to_earth_fixed().to_local();
+//! assert!((back.velocity_ned.x.hi - 10.0).abs() < 1e-12);
+//! ```
 
 use crate::earth::{self, Geodetic};
 use crate::math::compensated::{Pair, two_sum};
@@ -29,7 +42,7 @@ impl<R: Real> Euler<R> {
         about_axes([half(self.yaw), half(self.pitch), half(self.roll)])
     }
 
-    /// The same to about twice the digits, for a start: rounding it alone would cost nanometres.
+    /// The same to about twice the digits, to start from: rounding the quaternion alone would cost nanometres.
     /// |angle| ≤ 2π.
     pub fn quaternion_pair(self) -> Quaternion<Pair<R>> {
         let half = |angle: R| Pair::new(angle * R::HALF).sin_cos();
@@ -39,8 +52,8 @@ impl<R: Real> Euler<R> {
     /// From the quaternion body → navigation frame, of unit length or near it: with the angles within
     /// ±180°, the pitch within ±90°.
     ///
-    /// Where the pitch is ±90°, only ψ ∓ γ is determined; whatever the rounding makes of ψ and γ there,
-    /// the three angles lead back to the same attitude. Where nothing is left of ψ ± γ, the roll is 0.
+    /// At ±90° of pitch only ψ ∓ γ is determined. Rounding may choose any ψ and γ there, but the three
+    /// angles always lead back to the same attitude. If the other combination is lost entirely, the roll is 0.
     pub fn from_quaternion(q: Quaternion<R>) -> Self {
         let Quaternion { w, v: Vector { x, y, z } } = q;
         // w + y = √2 cos(45° − ½θ) cos ½(ψ − γ),  z − x = √2 cos(45° − ½θ) sin ½(ψ − γ)
@@ -48,7 +61,7 @@ impl<R: Real> Euler<R> {
         let ([a, b], [c, d]) = ([w + y, z - x], [w - y, z + x]);
         let (up, down) = (a * a + b * b, c * c + d * d);
         let (half_difference, half_sum) = (b.atan2(a), d.atan2(c));
-        // Below this there is nothing but the rounding of q.
+        // Below this there is only the rounding of q.
         let least = R::entry(1e-14, 1e-31);
         let (no_difference, no_sum) = (up.less(least), down.less(least));
         let difference = R::select(no_difference, half_sum, half_difference);
@@ -63,7 +76,7 @@ impl<R: Real> Euler<R> {
     }
 }
 
-/// a + b within ±π, for |a|, |b| ≤ π; what rounding drops from the sum and from a turn is not lost.
+/// a + b within ±π, for |a|, |b| ≤ π, with the rounding of the sum and of 2π made good.
 fn wrapped_sum<R: Real>(a: R, b: R) -> R {
     const TURN: f64 = core::f64::consts::TAU;
     let (sum, rest) = two_sum(a, b);
@@ -78,7 +91,7 @@ fn about_axes<T: Number>([(sz, cz), (sy, cy), (sx, cx)]: [(T, T); 3]) -> Quatern
     Quaternion::new(w * cx + x * sx, Vector::new(w * sx - x * cx, y * cx + z * sx, z * cx - y * sx))
 }
 
-/// Position, velocity and attitude against the local north, east and down.
+/// Position, velocity and attitude in local axes: north, east, down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solution<R> {
@@ -141,7 +154,7 @@ fn ned_to_earth_fixed<T: Number>((sl, cl): (T, T), (s, c): (T, T)) -> Quaternion
     Quaternion::new(c * cl, Vector::new(s * sl, -(s * cl), c * sl))
 }
 
-/// Position, velocity and attitude in Earth-fixed axes: no singular place.
+/// Position, velocity and attitude in Earth-fixed axes, which are singular nowhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EarthFixedSolution<R> {
@@ -154,7 +167,7 @@ pub struct EarthFixedSolution<R> {
 }
 
 impl<R: Real> EarthFixedSolution<R> {
-    /// Against the local north, east and down, to the digits of `R`.
+    /// In local axes, to the digits of `R`.
     pub fn to_local(&self) -> Solution<R> {
         let position_e = self.position_e.map(|c| c.hi);
         let position = Geodetic::from_earth_fixed(position_e);

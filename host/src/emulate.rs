@@ -1,4 +1,4 @@
-//! `schuler emulate`: the sensors' stream of a scene as a file.
+//! `schuler emulate`: the sensor samples of a scene as a file.
 
 use crate::cli::EmulateArgs;
 use crate::output::{much, say};

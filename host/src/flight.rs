@@ -1,4 +1,4 @@
-//! The result of a run: what the summary and the report are made of.
+//! The result of a run, from which the summary and the report are made.
 
 use crate::high::Neglected;
 use crate::scene::{Scene, WindowShape};

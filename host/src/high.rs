@@ -1,4 +1,4 @@
-//! What the series of normal gravity leaves out at the heights that a flight reaches.
+//! The error of the series of normal gravity at the heights of a flight.
 
 use schuler::earth::closed_form::neglected_ned;
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! The core's navigators behind one face: frame, precision, algorithm and window chosen at run time.
+//! The core's navigators behind one interface: frame, precision, algorithm and window are chosen at run time.
 
 mod available;
 mod flying;

@@ -1,12 +1,12 @@
-//! Files written in full or not at all, however the program ends.
+//! Files that are written completely or not at all, however the program ends.
 //!
 //! | file | what |
 //! |---|---|
 //! | `file` | an output file, and several that belong together |
-//! | `aside` | where it is before it has its name |
-//! | `way` | where its path leads |
+//! | `aside` | the file before it has its name |
+//! | `way` | the folders of its path |
 //! | `table` | a CSV file of numbers |
-//! | `stop` | what is taken away when the program is told to stop |
+//! | `stop` | what is removed when the program is told to stop |
 
 mod aside;
 mod file;

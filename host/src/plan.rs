@@ -1,4 +1,4 @@
-//! What a run does and what it can leave out, decided once; what is left out is measured.
+//! The plan of a run: what it computes and what it can skip. The saving is measured.
 
 mod candidate;
 mod choice;

@@ -1,4 +1,4 @@
-//! A bar for what takes more than a second; none where the output is no terminal.
+//! A progress bar for tasks of more than a second, if the output is a terminal.
 
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::cell::OnceCell;

@@ -1,4 +1,4 @@
-//! What each stage of a run costs alone: nanoseconds per sample, over a bounded prefix in memory.
+//! The time of each stage of a run alone: nanoseconds per sample, over a bounded prefix in memory.
 
 use crate::flight::StageTimes;
 use crate::navigator::Navigate;

@@ -1,8 +1,28 @@
 //! Whether what a still unit reads can be right.
 //!
-//! At rest on the Earth |f| = γ(φ, h), and ω has ω_ie sinφ along f and ω_ie cosφ across it. What sensors
-//! err by moves readings a little; a wrong unit, sign or latitude moves them by what can be named.
-//! Source: Groves, 2nd ed., §5.6 (levelling, gyrocompassing), §4.2 (what sensors err by).
+//! At rest on the Earth |f| = γ(φ, h), and ω has the components ω_ie sinφ along f and ω_ie cosφ across it.
+//! Sensor errors move the readings a little; a wrong unit, sign or latitude moves them by a known amount.
+//! Source: Groves, 2nd ed., §5.6 (levelling, gyrocompassing), §4.2 (sensor errors).
+//!
+//! ```
+//! use schuler::alignment::judge::judge;
+//! use schuler::alignment::place::Place;
+//! use schuler::alignment::still::Still;
+//! use schuler::alignment::units::Kind;
+//! use schuler::earth::Geodetic;
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! // Velocity increments in units of gravity: 1 g · 0.01 s.
+//! let mut still = Still::new(1.0_f64);
+//! for _ in 0..3000 {
+//!     let velocity_b = Vector::new(0.0, 0.0, -0.01);
+//!     still.add(&Increment { angle_b: Vector::ZERO, velocity_b }, 0.01);
+//! }
+//! let place = Place::new(Geodetic { latitude: 0.8, longitude: 0.1, altitude: 100.0 });
+//! let judgement = judge(&still.readings().unwrap(), Kind::Increments, &place);
+//! assert!(judgement.contradiction.is_some());
+//! ```
 
 use super::place::Place;
 use super::signs::{self, Signs};
@@ -11,44 +31,44 @@ use super::units::{Explanations, ForceUnit, Kind, RateUnit};
 use crate::earth;
 use crate::math::real::Scalar;
 
-/// Specific force may differ from gravity by so much of it: a poor accelerometer's bias, 0.1 g.
+/// Specific force may differ from gravity by this fraction of it: a poor accelerometer's bias, 0.1 g.
 const FORCE_LIMIT: f64 = 0.1;
-/// Explanations are dropped whose misfit is so many times the best one's, and 1 % on top.
+/// Explanations are dropped if their misfit exceeds the best one's by this factor, plus 1 %.
 const RIVAL: f64 = 10.0;
-/// An angular rate that no bias reaches, rad/s: 5 °/s.
+/// An angular rate above any bias, rad/s: 5 °/s.
 const RATE_LIMIT: f64 = 0.0873;
-/// A unit or a sign explains a rate if it leaves so much of the Earth's.
+/// A unit or a sign explains a rate if it leaves at most this fraction of the Earth's rate.
 const RATE_FIT: f64 = 0.05;
-/// What passes for a bias beside the Earth's rate without a closer look.
+/// A fraction of the Earth's rate that is taken for a bias without further tests.
 const RATE_CLOSE: f64 = 0.1;
-/// An error so many times a second's noise is no sensor's bias: ten times what the sensors known to
-/// drift most beside their noise show (consumer MEMS: 1 °/s beside 0.003 °/s; pendulums: 4 mg, 2 µg).
+/// An error this many times the noise of one second is not a bias: ten times the largest ratio of bias to
+/// noise of known sensors (consumer MEMS: 1 °/s and 0.003 °/s; pendulous accelerometers: 4 mg and 2 µg).
 const STEADY: f64 = 3000.0;
-/// Specific force that differs so much from gravity, and is steady, is an acceleration.
+/// Steady specific force that differs from gravity by this much is an acceleration.
 const STEADY_FORCE: f64 = 0.005;
-/// Standing still, specific force varies less than so much of itself from piece to piece.
+/// At rest, specific force varies by less than this fraction of itself from piece to piece.
 const SPREAD_LIMIT: f64 = 0.03;
 
-/// What readings at rest contradict.
+/// A contradiction in readings at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Contradiction<R> {
     /// Numbers in another unit or of another kind than stated.
     Units {
-        /// Of the accelerometers; none where they read as they should.
+        /// Of the accelerometers; none if their readings are right.
         force: Explanations<ForceUnit, R>,
-        /// Of the gyros; none where they read as they should, or cannot tell.
+        /// Of the gyros; none if their readings are right, or do not decide it.
         rate: Explanations<RateUnit, R>,
     },
     /// Specific force varies: the vehicle is not still.
     Moving,
     /// Specific force is not gravity in any unit.
     Force,
-    /// Specific force is not gravity, and steadier than a sensor so wrong: an acceleration.
+    /// Specific force is not gravity, and is steadier than a sensor with such an error: an acceleration.
     Accelerating,
-    /// The body turns: gyros and the direction of specific force agree on it.
+    /// The body turns: gyros and the direction of specific force agree.
     Turning,
-    /// A rate that is no bias and that the accelerometers do not feel.
+    /// A rate that is too large for a bias and does not show in the accelerometers.
     Rate,
     /// Gyros and accelerometers contradict each other or the latitude.
     Directions(Signs<R>),
@@ -60,11 +80,11 @@ pub enum Contradiction<R> {
 pub struct Quality<R> {
     /// |f| − γ, m/s².
     pub force_off: R,
-    /// The least that gyros are wrong by, rad/s.
+    /// The smallest gyro error that explains the readings, rad/s.
     pub rate_off: R,
-    /// Standard deviation of roll and pitch, by scatter and by what |f| shows, rad.
+    /// Standard deviation of roll and pitch, from scatter and from the error of |f|, rad.
     pub level_sigma: R,
-    /// Standard deviation of the heading, by scatter and by what ω shows, rad; above 1 it is none.
+    /// Standard deviation of the heading, from scatter and from the error of ω, rad; above 1 there is no heading.
     pub heading_sigma: R,
 }
 
@@ -74,11 +94,11 @@ pub struct Quality<R> {
 pub struct Judgement<R> {
     /// How good they are.
     pub quality: Quality<R>,
-    /// What they contradict, the most telling first.
+    /// Their contradictions, the strongest first.
     pub contradiction: Option<Contradiction<R>>,
 }
 
-/// Judges readings said to be of a kind and at rest at a place.
+/// Judges readings that are said to be of a kind, at rest at a place.
 pub fn judge<R: Scalar>(readings: &Readings<R>, kind: Kind, place: &Place<R>) -> Judgement<R> {
     let Readings { rate_ib_b: rate, specific_force_b: force, .. } = *readings;
     let norm = force.norm();
@@ -102,7 +122,7 @@ pub fn judge<R: Scalar>(readings: &Readings<R>, kind: Kind, place: &Place<R>) ->
     Judgement { quality, contradiction }
 }
 
-/// Whether gyros are off by more than scatter and a good gyro's bias explain.
+/// Whether the gyros' error exceeds what scatter and a good gyro's bias explain.
 fn noticed<R: Scalar>(readings: &Readings<R>, rate_off: R) -> bool {
     rate_off > R::of(RATE_CLOSE * earth::ROTATION_RATE)
         && rate_off > R::of(6.0) * readings.rate_sigma
@@ -115,14 +135,14 @@ fn quality<R: Scalar>(
     rate_off: R,
 ) -> Quality<R> {
     let square = |x: R| x * x;
-    // An error ∇ of an axis tilts by ∇/γ; |f| − γ shows that of one axis of three.
+    // An error ∇ of an axis tilts by ∇/γ; |f| − γ shows the error of one axis of three.
     let level = (square(readings.force_sigma) + square(force_off)).sqrt() / place.gravity;
-    // Heading: ε_E/(ω_ie cosφ) and tilt·tanφ; ω shows two axes' errors of three.
+    // Heading: ε_E/(ω_ie cosφ) and tilt·tanφ; ω shows the errors of two axes of three.
     let gyro = (square(readings.rate_sigma) + R::HALF * square(rate_off)).sqrt();
     let heading = (square(gyro) + square(level * place.rate_up)).sqrt();
     let none = R::of(1e3);
     let heading = if heading < place.rate_north * none { heading / place.rate_north } else { none };
-    // Where nothing is left to tell north by, even perfect readings show none.
+    // Where the Earth's rate has no horizontal component, even perfect readings do not show north.
     let pole = R::entry(1e-6, 1e-12) * R::of(earth::ROTATION_RATE);
     Quality {
         force_off,
@@ -132,7 +152,7 @@ fn quality<R: Scalar>(
     }
 }
 
-/// Units that make sense of what makes none as it stands.
+/// Units in which readings make sense that are wrong as they stand.
 fn units<R: Scalar>(
     readings: &Readings<R>,
     kind: Kind,
@@ -150,13 +170,13 @@ fn units<R: Scalar>(
         keep_rivals(&mut force);
     }
     let rotation = R::of(earth::ROTATION_RATE);
-    // A sign that is wrong as well is a fault of its own.
+    // A wrong sign in addition is a separate fault.
     let off = |factor: R| {
         let [as_is, reversed] =
             [up, -up].map(|up| place.least_bias(up / factor, across / factor) / rotation);
         if reversed < as_is { reversed } else { as_is }
     };
-    // Scatter is in the same wrong unit, and a fit within it says nothing.
+    // Scatter is in the same wrong unit, and a misfit below it proves nothing.
     let blur = readings.rate_sigma * R::of(6.0) / rotation;
     let fits = |factor: R| off(factor) + blur / factor;
     let rate_is_right = off(R::ONE) < R::of(RATE_CLOSE) + blur;
@@ -167,7 +187,7 @@ fn units<R: Scalar>(
         rate = Explanations::from_units(&rate_units, kind, readings.interval_s, limit, fits);
         keep_rivals(&mut rate);
     }
-    // A header is wrong for both or for none.
+    // A header is wrong for both triads or for neither.
     let (one, other) = (force, rate);
     if force_is_right {
         rate.retain(|explanation| explanation.kind == kind);
@@ -190,7 +210,7 @@ fn keep_rivals<U: Copy, R: Scalar>(explanations: &mut Explanations<U, R>) {
     }
 }
 
-/// Motion, where there should be none.
+/// Motion of a vehicle that should be at rest.
 fn motion<R: Scalar>(
     readings: &Readings<R>,
     place: &Place<R>,
@@ -201,7 +221,7 @@ fn motion<R: Scalar>(
     let steady = R::of(STEADY);
     let rate = readings.rate_ib_b.norm();
     let turn = readings.turn_b;
-    // Along the vertical accelerometers see nothing: compare what lies across it.
+    // Accelerometers do not show a turn about the vertical: compare the components across it.
     let force = readings.specific_force_b;
     let norm = force.norm();
     let level = if norm > R::ZERO {

@@ -1,16 +1,16 @@
-//! How pieces of a stretch scatter, and how good that makes the mean of all.
+//! The scatter of pieces of a stretch of samples, and the variance of their mean.
 //!
-//! The integral of what is left about the mean starts and ends at 0 (a bridge). White noise makes it
-//! Brownian, of mean square N²T/6, where the mean's variance is N²/T: 6/T² times the bridge's. A vehicle
-//! that rocks comes back, so its bridge does not grow with T, and its mean is as much better; a bias
-//! that wanders makes both larger. So 6/T² times the bridge's mean square serves all three, where
-//! scatter from second to second would say little of a minute's mean.
+//! The integral of the deviations from the mean starts and ends at 0 (a bridge). White noise makes it a
+//! Brownian bridge of mean square N²T/6, and the variance of the mean is N²/T: 6/T² times that. A vehicle
+//! that rocks returns to where it was, so its bridge does not grow with T, and its mean is better in
+//! proportion; a bias that wanders makes both larger. So 6/T² times the mean square of the bridge is right
+//! in all three cases, whereas scatter from second to second says little about the mean of a minute.
 //! Source: Revuz & Yor, *Continuous Martingales and Brownian Motion*, ch. I §3 (t(T − t)/T, mean T/6).
 
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
 
-/// Sums over the pieces of one triad, taken from the first of them for the sake of digits.
+/// Sums over the pieces of one triad, relative to the first piece, to keep digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Scatter<R> {
@@ -29,7 +29,7 @@ pub(super) struct Scatter<R> {
 }
 
 impl<R: Scalar> Scatter<R> {
-    /// Takes the mean of the next piece.
+    /// Adds the mean of the next piece.
     pub fn add(&mut self, value: Vector<R>) {
         let square = |v: Vector<R>| v.map(|c| c * c);
         if self.count == 0 {
@@ -51,7 +51,7 @@ impl<R: Scalar> Scatter<R> {
         self.count
     }
 
-    /// Variance about the mean.
+    /// Variance of the pieces about their mean.
     pub fn variance(&self) -> Vector<R> {
         if self.count < 2 {
             return Vector::ZERO;
@@ -70,13 +70,14 @@ impl<R: Scalar> Scatter<R> {
         self.steps * (R::HALF / R::count(self.count - 1))
     }
 
-    /// Variance of the mean of all, by the bridge.
+    /// Variance of the mean of all pieces, from the bridge.
     pub fn variance_of_mean(&self) -> Vector<R> {
         if self.count < 2 {
             return Vector::ZERO;
         }
         // Σ(S_k − k m)² = ΣS_k² − 2m ΣkS_k + m² Σk²,  Σk² = n(n + 1)(2n + 1)/6.
-        // Of n pieces of variance s² it is s²(n² − 1)/6 on average: variance s²/n is 6/(n(n² − 1)) of it.
+        // For n pieces of variance s² its mean is s²(n² − 1)/6, so the variance of the mean, s²/n, is 6/(n(n²
+        // − 1)) of it.
         let n = R::count(self.count);
         let mean = self.sum * (R::ONE / n);
         let squares = n * (n + R::ONE) * (n + n + R::ONE) * R::ratio(1, 6);

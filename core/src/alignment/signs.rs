@@ -1,14 +1,14 @@
 //! Which reversed axis, sign or latitude makes gyros and accelerometers at rest agree.
 //!
-//! ω·f/|f| = ω_ie sinφ at rest: a reversed axis changes the product, and so does a wrong latitude what
-//! it should be.
+//! ω·f/|f| = ω_ie sinφ at rest: a reversed axis changes the product, and a wrong latitude changes its
+//! expected value.
 
 use super::place::Place;
 use crate::earth;
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
 
-/// What would make sense of directions that contradict each other.
+/// Possible explanations of directions that contradict each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs<R> {
@@ -20,14 +20,14 @@ pub struct Signs<R> {
     pub exchanged: [bool; 3],
     /// Latitude and longitude exchanged.
     pub longitude: bool,
-    /// A latitude in radians where degrees were asked for.
+    /// A latitude in radians instead of degrees.
     pub radians: bool,
-    /// The latitude that ω and f speak of, rad.
+    /// The latitude that follows from ω and f, rad.
     pub latitude: R,
 }
 
-/// The explanations that leave less than `fit` (rad/s) of what is `off` as it stands; `None` where
-/// there is neither one nor a latitude to be read from the directions.
+/// The explanations that reduce the error `off` to less than `fit` (rad/s); `None` if there is no such
+/// explanation and no latitude follows from the directions.
 pub(super) fn of<R: Scalar>(
     rate: Vector<R>,
     force: Vector<R>,

@@ -1,6 +1,21 @@
-//! What a unit reads while it stands still: means, and how far the means of short pieces scatter.
+//! What a unit reads at rest: means, and the scatter of the means of short pieces.
 //!
-//! The pieces tell noise from motion, and how good the mean of all is.
+//! The pieces distinguish noise from motion, and give the variance of the mean of all.
+//!
+//! ```
+//! use schuler::alignment::still::Still;
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! let mut still = Still::new(1.0_f64);
+//! for _ in 0..1000 {
+//!     let velocity_b = Vector::new(0.0, 0.0, -0.0980665);
+//!     still.add(&Increment { angle_b: Vector::ZERO, velocity_b }, 0.01);
+//! }
+//! assert_eq!(still.pieces(), 10);
+//! let readings = still.readings().unwrap();
+//! assert!((readings.specific_force_b.norm() - 9.80665).abs() < 1e-6);
+//! ```
 
 use super::Alignment;
 use super::scatter::Scatter;
@@ -24,7 +39,7 @@ pub struct Still<R> {
     force: Scatter<R>,
 }
 
-/// What a still unit reads.
+/// What a unit reads at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Readings<R> {
@@ -34,22 +49,22 @@ pub struct Readings<R> {
     pub specific_force_b: Vector<R>,
     /// The mean sample interval, s.
     pub interval_s: R,
-    /// Standard deviation of one axis of the mean angular rate, by its scatter, rad/s.
+    /// Standard deviation of one axis of the mean angular rate, from its scatter, rad/s.
     pub rate_sigma: R,
-    /// Standard deviation of one axis of the mean specific force, by its scatter, m/s².
+    /// Standard deviation of one axis of the mean specific force, from its scatter, m/s².
     pub force_sigma: R,
     /// White noise of one axis of a piece's angular rate, from piece to piece, rad/s.
     pub rate_noise: R,
     /// White noise of one axis of a piece's specific force, from piece to piece, m/s².
     pub force_noise: R,
-    /// How far the pieces' specific forces lie from their mean, rms of the vector, m/s².
+    /// Rms distance of the pieces' specific forces from their mean, as vectors, m/s².
     pub force_spread: R,
-    /// How fast the body turns about level axes by the direction of specific force alone, rad/s.
+    /// The body's rate about level axes, from the direction of specific force alone, rad/s.
     pub turn_b: Vector<R>,
 }
 
 impl<R: Scalar> Still<R> {
-    /// Of pieces of a length, s. A piece ends with the sample that fills it.
+    /// With pieces of a length in seconds. A piece ends with the sample that fills it.
     pub fn new(piece_s: R) -> Self {
         Self {
             whole: Alignment::default(),
@@ -64,7 +79,7 @@ impl<R: Scalar> Still<R> {
         }
     }
 
-    /// Takes a sample of an interval, s.
+    /// Adds a sample with its interval in seconds.
     pub fn add(&mut self, sample: &Increment<R>, interval_s: R) {
         self.whole.add(sample);
         self.samples = self.samples.saturating_add(1);
@@ -72,7 +87,7 @@ impl<R: Scalar> Still<R> {
         self.angle_b = self.angle_b + sample.angle_b;
         self.velocity_b = self.velocity_b + sample.velocity_b;
         self.filled_s = self.filled_s + interval_s;
-        // Half a sample early is as near as half a sample late.
+        // A piece may end half a sample early or late.
         if self.filled_s + interval_s * R::HALF > self.piece_s {
             let per_second = R::ONE / self.filled_s;
             self.rate.add(self.angle_b * per_second);
@@ -106,8 +121,8 @@ impl<R: Scalar> Still<R> {
         let (rate_ib_b, specific_force_b) = self.whole.mean(interval_s);
         let one_axis = |v: Vector<R>| ((v.x + v.y + v.z) * R::ratio(1, 3)).sqrt();
         let spread = self.force.variance();
-        // A body that turns sees a steady direction u of the vertical move: u̇ = −ω × u, so that
-        // u × u̇ = −ω + u(u·ω): what turns about level axes, with its sign changed.
+        // In the axes of a body that turns, the steady direction u of the vertical moves: u̇ = −ω × u, so
+        // u × u̇ = −ω + u(u·ω): the rate about level axes with the opposite sign.
         let norm = specific_force_b.norm();
         let turn_b = if norm > R::ZERO && self.force.count() > 0 {
             let piece_s = (self.seconds - self.filled_s) / R::count(self.force.count());

@@ -1,11 +1,19 @@
-//! Units that recordings come in by mistake, and which of them would make sense of a reading.
+//! Units that recordings may have by mistake, and which of them would explain a reading.
 //!
-//! At rest specific force and angular rate are known, γ and ω_ie, and units differ by factors that no
-//! sensor's error reaches: a reading in a wrong unit is that unit's reading.
+//! At rest specific force and angular rate are known, γ and ω_ie, and units differ by factors larger than
+//! any sensor error. So a reading in a wrong unit identifies that unit.
+//!
+//! ```
+//! use schuler::alignment::units::{ForceUnit, Kind, RateUnit};
+//!
+//! assert_eq!(ForceUnit::G.si(), 9.80665);
+//! assert!((RateUnit::DegreePerSecond.si() - 0.0174533).abs() < 1e-6);
+//! assert_eq!(Kind::Increments.other(), Kind::Rates);
+//! ```
 
 use crate::math::real::Scalar;
 
-/// A unit of specific force; of velocity increments, the same times a second.
+/// A unit of specific force; for velocity increments, the same unit times one second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ForceUnit {
@@ -23,7 +31,7 @@ pub enum ForceUnit {
     CentimetrePerSecondSquared,
 }
 
-/// A unit of angular rate; of angle increments, the same times a second.
+/// A unit of angular rate; for angle increments, the same unit times one second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum RateUnit {
@@ -119,8 +127,8 @@ impl Kind {
         }
     }
 
-    /// What rates come out too large by, where samples are said to be of this kind and are of the
-    /// other: increments taken for rates are h times these, rates taken for increments 1/h times.
+    /// The factor by which rates are wrong if samples are said to be of this kind and are of the other:
+    /// h for increments that are taken for rates, 1/h for rates that are taken for increments.
     pub fn mistaken<R: Scalar>(self, interval_s: R) -> R {
         match self {
             Self::Increments => R::ONE / interval_s,
@@ -129,7 +137,7 @@ impl Kind {
     }
 }
 
-/// A unit and a kind that would make sense of a reading.
+/// A unit and a kind that would explain a reading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Explanation<U, R> {
@@ -137,7 +145,7 @@ pub struct Explanation<U, R> {
     pub unit: U,
     /// What the samples are.
     pub kind: Kind,
-    /// How far the reading is then from what it should be, relative to it.
+    /// The relative error of the reading in this unit and kind.
     pub misfit: R,
 }
 
@@ -148,15 +156,15 @@ pub struct Explanations<U, R> {
     found: [Option<Explanation<U, R>>; MOST],
 }
 
-/// Explanations that are kept.
+/// Number of explanations kept.
 const MOST: usize = 4;
 
 impl<U: Copy, R: Scalar> Explanations<U, R> {
     /// None.
     pub const NONE: Self = Self { found: [None; MOST] };
 
-    /// Every unit in both kinds but the first as it stands, of which `misfit` says how far off SI
-    /// readings less by a factor would be; those beyond `limit` are none.
+    /// Of every unit in both kinds, except the first as it stands. `misfit` gives the error of the SI
+    /// readings for a factor; units whose error exceeds `limit` are left out.
     pub fn from_units(
         units: &[(U, f64)],
         said: Kind,
@@ -198,7 +206,7 @@ impl<U: Copy, R: Scalar> Explanations<U, R> {
         self.iter().next().is_none()
     }
 
-    /// Only those that hold.
+    /// Keeps only those that hold.
     pub fn retain(&mut self, holds: impl Fn(&Explanation<U, R>) -> bool) {
         for place in &mut self.found {
             *place = place.filter(|explanation| holds(explanation));

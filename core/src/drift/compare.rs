@@ -1,7 +1,21 @@
 //! A solution less the truth, without cancellation.
 //!
-//! All differences are taken between the two-float coordinates first; what follows is a product with
-//! such a difference, so that 10⁻¹⁰ m shows beside an Earth's radius.
+//! All differences are taken between the two-float coordinates first, and everything else is a product with
+//! such a difference. So 10⁻¹⁰ m is visible beside the Earth's radius.
+//!
+//! ```
+//! use schuler::drift::compare::drift;
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::solution::{Euler, Solution};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let truth = Solution::new(at, Vector::ZERO, Euler::default());
+//! let mut computed = truth;
+//! computed.position.altitude = computed.position.altitude + Pair::new(1e-10);
+//! // North, east, down: a height that is too large is a negative drift down.
+//! assert!((drift(&computed, &truth).position_ned.z + 1e-10).abs() < 1e-16);
+//! ```
 
 pub use crate::earth::POLAR_SINE;
 use crate::earth::{ECCENTRICITY_SQUARED, Radii, SEMI_MAJOR_AXIS};
@@ -17,12 +31,12 @@ use crate::strapdown::correction::Correction;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Drift<R = f64> {
     /// Position, m, along the true north, east and down: the horizontal components of the straight
-    /// chord from the true to the computed position, and the height lost.
+    /// chord from the true to the computed position, and the loss of height.
     pub position_ned: Vector<R>,
     /// Velocity, m/s: v_computedⁿ − v_trueⁿ, each in the north, east and down of its own position; beyond
     /// 84° of true latitude see [`POLAR_SINE`].
     pub velocity_ned: Vector<R>,
-    /// Attitude, rad: the rotation vector of C_bⁿ(computed)·C_bⁿ(true)ᵀ, each against the north, east
+    /// Attitude, rad: the rotation vector of C_bⁿ(computed)·C_bⁿ(true)ᵀ, each relative to the north, east
     /// and down of its own position; beyond 84° of true latitude see [`POLAR_SINE`].
     pub attitude_ned: Vector<R>,
 }
@@ -82,11 +96,11 @@ pub fn drift(computed: &Solution<f64>, truth: &Solution<f64>) -> Drift {
     }
 }
 
-/// The turn about down, rad, from the computed north to the true one, carried along the shortest way from
-/// the true to the computed position.
+/// The rotation about down, rad, from the computed north to the true one, which is carried along the shortest
+/// path from the true to the computed position.
 pub(super) fn convergence(computed: &Solution<f64>, truth: &Solution<f64>) -> f64 {
     let (c, t) = (computed.position, truth.position);
-    // q_y(φ + 90°) ⊗ q_z(Δλ) ⊗ q_y(−φ_c − 90°) is a tilt after a turn about down by α:
+    // q_y(φ + 90°) ⊗ q_z(Δλ) ⊗ q_y(−φ_c − 90°) is a rotation about down by α, followed by a tilt:
     // tan ½α = −sin ½Δλ sin ½(φ + φ_c)/(cos ½Δλ cos ½(φ_c − φ))
     let (sine, cosine) = Real::sin_cos(0.5 * difference(c.longitude, t.longitude));
     let (sin_mean, _) = Real::sin_cos(0.5 * (c.latitude.hi + t.latitude.hi));

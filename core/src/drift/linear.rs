@@ -1,11 +1,28 @@
 //! The differential equation of small errors along a motion.
 //!
-//! An [`ErrorState`] compares Earth-fixed vectors, seen along the true north, east and down: position
+//! An [`ErrorState`] compares Earth-fixed vectors, resolved along the true north, east and down: position
 //! δr, velocity δv, and ψ, the small rotation from the true to the computed C_bᵉ. So its equation
-//! holds at the poles too. [`MeridianShift`](super::meridian::MeridianShift) takes it to the drift that
-//! is printed, in which each side has its own north, east and down.
+//! holds at the poles too. [`MeridianShift`](super::meridian::MeridianShift) converts it to the drift that
+//! is printed, in which truth and computed solution each have their own north, east and down.
 //! Source: Groves, 2nd ed., §14.2.3 (Earth frame), here resolved along the true north, east and down
 //! with the gradient of normal gravity; Titterton & Weston, 2nd ed., ch. 12.
+//!
+//! ```
+//! use schuler::drift::linear::{ErrorDynamics, ErrorState};
+//! use schuler::imu::rates;
+//! use schuler::math::vector::Vector;
+//! use schuler::trajectory::{Jet, Motion};
+//!
+//! let still = Motion {
+//!     latitude: Jet { value: 0.8_f64, ..Jet::default() },
+//!     altitude: Jet { value: 100.0, ..Jet::default() },
+//!     ..Motion::default()
+//! };
+//! let dynamics = ErrorDynamics::new(&still, &rates(&still), false);
+//! // A tilt of 1 mrad about east accelerates to the north, by about 10 mm/s².
+//! let tilted = ErrorState { attitude: Vector::new(0.0, 1e-3, 0.0), ..ErrorState::default() };
+//! assert!((dynamics.growth(&tilted).velocity.x.abs() - 9.8e-3).abs() < 1e-4);
+//! ```
 
 use crate::earth::{self, ECCENTRICITY_SQUARED, Radii};
 use crate::math::quaternion::Matrix;
@@ -50,7 +67,7 @@ pub struct ErrorDynamics<R> {
 }
 
 impl<R: Real> ErrorDynamics<R> {
-    /// At an instant of a motion, whose sensors should read `rates`.
+    /// At an instant of a motion at which perfect sensors read `rates`.
     pub fn new(motion: &Motion<R>, rates: &Rates<R>, vertical_held: bool) -> Self {
         let (s, c) = motion.latitude.value.sin_cos();
         let altitude = motion.altitude.value;
@@ -76,13 +93,13 @@ impl<R: Real> ErrorDynamics<R> {
         }
     }
 
-    /// F·x: how fast an error changes by itself.
+    /// F·x: the rate of change of an error without sensor errors.
     #[inline]
     pub fn growth(&self, x: &ErrorState<R>) -> ErrorState<R> {
         let mut position = x.position;
         let mut velocity = x.velocity;
         if self.vertical_held {
-            // With r_D held, δv_D = (ω_en × δr)_D is what the horizontal errors make of it.
+            // With r_D held, δv_D = (ω_en × δr)_D follows from the horizontal errors.
             position.z = R::ZERO;
             velocity.z = self.transport_rate.cross(position).z;
         }
@@ -103,7 +120,7 @@ impl<R: Real> ErrorDynamics<R> {
         ErrorState { position: position_rate, velocity: velocity_rate, attitude: attitude_rate }
     }
 
-    /// G·u: what sensors that read too much by `error` add to the growth.
+    /// G·u: what sensor errors add to the rate of change; `error` is the reading less the truth.
     #[inline]
     pub fn drive(&self, error: &Rates<R>) -> ErrorState<R> {
         // δv̇ = … + C_bⁿ δf,  ψ̇ = … + C_bⁿ δω
@@ -118,8 +135,8 @@ impl<R: Real> ErrorDynamics<R> {
         }
     }
 
-    /// The largest of what the linear equation leaves out, on average over errors of attitude whose
-    /// second moments E(ψψᵀ) are given: ½E(ψ × (ψ × f)) in velocity.
+    /// The largest term that the linear equation leaves out, as a mean over attitude errors whose
+    /// second moments E(ψψᵀ) are given: ½E(ψ × (ψ × f)) in the rate of velocity.
     pub fn second_order(&self, attitude: &Matrix<R>) -> ErrorState<R> {
         // ψ × (ψ × f) = ψ(ψ·f) − f|ψ|²
         let [first, second, third] = attitude.rows;
@@ -131,7 +148,7 @@ impl<R: Real> ErrorDynamics<R> {
         ErrorState { velocity, position: Vector::ZERO, attitude: Vector::ZERO }
     }
 
-    /// F·G·e − Ġ·e: what drives x − G·e, for sensors whose integrals read too much by e.
+    /// F·G·e − Ġ·e: the input to x − G·e, for sensors whose integrals have the error e.
     ///
     /// x̂ = x − G·e obeys dx̂/dt = F·x̂ + (F·G − Ġ)e where dx/dt = F·x + G·ė.
     pub fn drive_of_integral(&self, error: &Rates<R>) -> ErrorState<R> {

@@ -1,7 +1,24 @@
-//! From errors along the true axes to drift, in which each side has its own north, east and down.
+//! From errors along the true axes to drift, in which truth and computed solution have their own axes.
 //!
-//! Here, and only here, the tangent of the latitude comes in. Source: the ψ- and the φ-angle error
+//! This is the only place where the tangent of the latitude occurs. Source: the ψ- and the φ-angle error
 //! models and the turn δθ between their axes, Benson, IEEE Trans. AES-11(4), 1975.
+//!
+//! ```
+//! use schuler::drift::linear::ErrorState;
+//! use schuler::drift::meridian::MeridianShift;
+//! use schuler::math::vector::Vector;
+//! use schuler::trajectory::{Jet, Motion};
+//!
+//! let still = Motion {
+//!     latitude: Jet { value: 0.8_f64, ..Jet::default() },
+//!     altitude: Jet { value: 100.0, ..Jet::default() },
+//!     ..Motion::default()
+//! };
+//! // A position error of 1 km to the east turns the computed north, so it shows as a heading error, too.
+//! let error = ErrorState { position: Vector::new(0.0, 1000.0, 0.0), ..ErrorState::default() };
+//! let drift = MeridianShift::new(&still).drift(&error);
+//! assert!((drift.attitude_ned.z - 1000.0 / 6.39e6 * 0.8_f64.tan()).abs() < 1e-6);
+//! ```
 
 use super::compare::{Drift, POLAR_SINE};
 use super::linear::ErrorState;
@@ -10,7 +27,7 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::trajectory::Motion;
 
-/// How the computed north, east and down turn with the computed position, and what that does to
+/// The rotation of the computed north, east and down with the computed position, and its effect on
 /// velocity and attitude: δθ = (δλ cosφ, −δφ, −δλ sinφ).
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -23,7 +40,7 @@ pub struct MeridianShift<R> {
     per_east: R,
     /// tanφ/(R_N + h), 1/m; 0 where meridians are not compared.
     convergence: R,
-    /// −1 beyond the pole, where the printed north points back; else 1.
+    /// −1 beyond the pole, where the printed north has the opposite direction; else 1.
     facing: R,
 }
 
@@ -54,12 +71,12 @@ impl<R: Real> MeridianShift<R> {
         )
     }
 
-    /// Into, and out of, the axes of the printed position.
+    /// To the axes of the printed position, and back.
     fn face(&self, x: Vector<R>) -> Vector<R> {
         Vector::new(x.x * self.facing, x.y * self.facing, x.z)
     }
 
-    /// The drift that an error shows as.
+    /// The drift that corresponds to an error.
     pub fn drift(&self, x: &ErrorState<R>) -> Drift<R> {
         // C_eⁿ(computed) = (I − [δθ×])C_eⁿ(true):  v_computedⁿ − vⁿ = δv − δθ × v,  φ = ψ − δθ
         let shift = self.shift(x.position);
@@ -70,7 +87,7 @@ impl<R: Real> MeridianShift<R> {
         }
     }
 
-    /// The error that shows as a drift.
+    /// The error that corresponds to a drift.
     pub fn error(&self, drift: &Drift<R>) -> ErrorState<R> {
         let position = self.face(drift.position_ned);
         let shift = self.shift(position);

@@ -1,10 +1,11 @@
-//! How far a solution lies from the truth, and how small errors grow.
+//! The difference of a solution from the truth, and the growth of small errors.
 //!
-//! | file | what |
+//! | file | what it has |
 //! |---|---|
-//! | `compare` | a solution less the truth, in metres, m/s and rad |
-//! | `linear` | the differential equation of small errors along a motion |
-//! | `meridian` | from such errors to a drift, and back |
+//! | [`compare`] | a solution less the truth, in metres, m/s and rad |
+//! | [`offset`] | the solution with a given drift |
+//! | `linear` | the differential equation of small errors along a motion (feature `trajectory`) |
+//! | `meridian` | from such errors to a drift, and back (feature `trajectory`) |
 
 pub mod compare;
 #[cfg(feature = "trajectory")]

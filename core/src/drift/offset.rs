@@ -1,4 +1,17 @@
-//! The inverse of the comparison: a solution that is off by a given drift.
+//! The inverse of the comparison: a solution with a given drift.
+//!
+//! ```
+//! use schuler::drift::compare::{Drift, drift};
+//! use schuler::earth::Geodetic;
+//! use schuler::math::vector::Vector;
+//! use schuler::solution::{Euler, Solution};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let truth = Solution::new(at, Vector::ZERO, Euler::default());
+//! let wanted = Drift { position_ned: Vector::new(100.0, -50.0, 3.0), ..Drift::default() };
+//! let back = drift(&wanted.added_to(&truth), &truth);
+//! assert!((back.position_ned - wanted.position_ned).norm() < 1e-8);
+//! ```
 
 use super::compare::{Drift, POLAR_SINE, convergence, drift};
 use crate::earth::{Geodetic, Radii};
@@ -35,7 +48,7 @@ impl Drift {
         computed.velocity_ned = truth.velocity_ned.zip(self.velocity_ned, |v, d| v + Pair::new(d));
         computed.attitude = rotation(self.attitude_ned) * truth.attitude;
         if polar {
-            // From the north that was carried along to the meridian there.
+            // From the transported north to the meridian there.
             let half = Pair::new(-0.5 * convergence(&computed, truth));
             let zero = Pair::default();
             let (sine, cosine) = half.sin_cos();
@@ -50,7 +63,7 @@ impl Drift {
     }
 }
 
-/// The place off by a chord and a height: where its meridian is another one, or there is none.
+/// The place at a given chord and height from another, where meridians are not compared.
 fn beside_the_pole(off_ned: Vector<f64>, truth: &Solution<f64>) -> Geodetic<Pair<f64>> {
     let start = truth.to_earth_fixed().position_e;
     let (sl, cl) = truth.position.longitude.sin_cos();
@@ -59,7 +72,7 @@ fn beside_the_pole(off_ned: Vector<f64>, truth: &Solution<f64>) -> Geodetic<Pair
     let altitude = truth.position.altitude + Pair::new(-off_ned.z);
     let mut up = Pair::new(-off_ned.z);
     let mut place = Geodetic::default();
-    // The verticals differ by the horizontal error over the Earth's radius: each pass leaves half the
+    // The verticals differ by the horizontal error over the Earth's radius; each pass leaves half the
     // square of that.
     for _ in 0..6 {
         // r = r₀ + north·N̂ + east·Ê + up·Û

@@ -1,9 +1,19 @@
-//! Normal gravity in closed form, at any height: what the series of [`gravity`] leaves out.
+//! Normal gravity in closed form, at any height, to compare the series of [`gravity`] with.
 //!
 //! The gravity of the ellipsoid that is its own level surface has a form without series in ellipsoidal
 //! coordinates u and β: u the semi-minor axis of the confocal ellipsoid through the point, β its reduced
-//! latitude. Navigation and truth share the series; this says how far both are from it.
+//! latitude. Navigation and truth share the series; this shows its error.
 //! Source: Heiskanen & Moritz, *Physical Geodesy* (1967), §2-7 and §2-8, equations 2-66 to 2-74.
+//!
+//! ```
+//! use schuler::earth::{closed_form::gravity_ned, gravity};
+//!
+//! // 10 km above 45° of latitude: down agrees to 0.1 µg, and there is a component of 8 µg to the north.
+//! let latitude = 45_f64.to_radians();
+//! let exact = gravity_ned(latitude, 10_000.0);
+//! assert!((gravity(latitude.sin(), 10_000.0) - exact.z).abs() < 1e-6);
+//! assert!((exact.x.abs() / 9.80665e-6 - 8.3).abs() < 0.1);
+//! ```
 
 use super::{
     ECCENTRICITY_SQUARED, Geodetic, ROTATION_RATE, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, gravity,

@@ -81,7 +81,7 @@ words! {
     Precision {
         /// Double, compensated sums.
         F64 = 0 "f64",
-        /// Single, compensated sums: what is rounded counts more than what is truncated.
+        /// Single, compensated sums: rounding matters more than truncation.
         F32 = 1 "f32",
         /// Single, with two-float products where they count.
         F32x2 = 2 "f32x2",

@@ -83,7 +83,7 @@ impl<M: Mechanization<Frame: Record>> Flight<M> {
         &self.mechanization
     }
 
-    /// What goes on from sample to sample.
+    /// State of the mechanization.
     pub fn state(&self) -> &M::State {
         &self.state
     }

@@ -1,4 +1,14 @@
 //! Little-endian numbers taken from a payload.
+//!
+//! ```
+//! use schuler::link::bytes::Bytes;
+//!
+//! let mut payload = Bytes(&[1, 2, 0, 0, 0, 128, 63]);
+//! assert_eq!(payload.u8(), Some(1));
+//! assert_eq!(payload.u16(), Some(2));
+//! assert_eq!(payload.scalar::<f32>(), Some(1.0));
+//! assert_eq!(payload.u8(), None);
+//! ```
 
 use crate::math::compensated::Pair;
 use crate::math::real::Scalar;

@@ -1,4 +1,4 @@
-//! What went wrong on the link, counted where it is noticed.
+//! Counters of errors on the link.
 //!
 //! One rule for every number of 32 bits that counts up on the link:
 //!
@@ -16,19 +16,19 @@ pub(super) fn count(statistic: &mut u32) {
     *statistic = statistic.saturating_add(1);
 }
 
-/// What a decoder dropped, by reason.
+/// Frames that a decoder dropped, by reason.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Dropped {
     /// The stuffing leads beyond its end, or ends too soon.
     pub stuffing: u32,
-    /// The CRC is another.
+    /// The CRC does not match.
     pub check: u32,
     /// Longer than any frame.
     pub long: u32,
     /// Shorter than any frame.
     pub short: u32,
-    /// No kind of frame that is known here.
+    /// An unknown kind of frame.
     pub kind: u32,
 }
 
@@ -44,11 +44,11 @@ impl Record for Dropped {
     record!(stuffing, check, long, short, kind);
 }
 
-/// What a receiver noticed.
+/// Errors that a receiver noticed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counters {
-    /// What was no frame.
+    /// Dropped frames.
     pub dropped: Dropped,
     /// Sequence numbers that were jumped over: frames lost, broken, or overtaken.
     pub missing: u32,

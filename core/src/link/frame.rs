@@ -10,6 +10,26 @@
 //!
 //! stuffed by COBS (no zero byte inside) and set between two zero bytes, so that a byte gone wrong costs
 //! one frame, and what it leaves behind ends where the next frame begins.
+//!
+//! ```
+//! use schuler::link::decoder::Decoder;
+//! use schuler::link::frame::{Header, MOST_ENCODED, encode};
+//! use schuler::link::kind::Kind;
+//!
+//! let mut line = [0; MOST_ENCODED];
+//! let header = Header { kind: Kind::Greet, sequence: 1, time_ns: 0 };
+//! let bytes = encode(&header, &mut line, |payload| payload.u8(42))?;
+//! let mut decoder = Decoder::default();
+//! let mut came = 0;
+//! for &byte in bytes {
+//!     if let Some(frame) = decoder.take(byte) {
+//!         assert_eq!((frame.header.sequence, frame.payload), (1, &[42][..]));
+//!         came += 1;
+//!     }
+//! }
+//! assert_eq!(came, 1);
+//! # Ok::<(), schuler::link::frame::TooLong>(())
+//! ```
 
 use super::kind::Kind;
 use crate::math::real::Scalar;
@@ -122,6 +142,10 @@ impl Writer<'_> {
 }
 
 /// Writes a frame for the line, its payload by `payload`.
+///
+/// # Errors
+///
+/// [`TooLong`] if the payload exceeds [`MOST_PAYLOAD`].
 pub fn encode<'a>(
     header: &Header,
     buffer: &'a mut [u8; MOST_ENCODED],

@@ -1,14 +1,32 @@
-//! What a missing sample does: it ends the run, or it is filled from its neighbours.
+//! Missing samples: they end the run, or are filled from their neighbours.
+//!
+//! ```
+//! use schuler::link::gap::{Bridge, Missing, Policy};
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! let sample = |x: f64| Increment { angle_b: Vector::new(x, 0.0, 0.0), velocity_b: Vector::ZERO };
+//! let mut bridge = Bridge::new(Policy::Bridge);
+//! let mut passed = Vec::new();
+//! for came in [Some(sample(1.0)), None, Some(sample(3.0))] {
+//!     bridge.take(came, |increment| -> Result<(), Missing> {
+//!         passed.push(increment.angle_b.x);
+//!         Ok(())
+//!     })?;
+//! }
+//! assert_eq!(passed, [1.0, 2.0, 3.0]);
+//! # Ok::<(), Missing>(())
+//! ```
 
 use super::counters::count;
 use crate::math::real::Real;
 use crate::record::Record;
 use crate::sample::Increment;
 
-/// Samples that are bridged at once, at most: as far as the record of what came reaches back.
+/// The largest number of consecutive samples that are bridged: the length of the record of received samples.
 pub const MOST_BRIDGED: u32 = 31;
 
-/// What is done about a missing sample.
+/// The policy for missing samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Policy {
@@ -64,6 +82,10 @@ impl<R: Real> Bridge<R> {
 
     /// Takes the next sample, or its absence, and passes on what can be: a gap is filled along the
     /// straight line between its neighbours, once the second is there.
+    ///
+    /// # Errors
+    ///
+    /// [`Missing`] if gaps are not bridged or cannot be; otherwise the errors of the receiver of samples.
     pub fn take<E: From<Missing>>(
         &mut self,
         sample: Option<Increment<R>>,
@@ -86,6 +108,10 @@ impl<R: Real> Bridge<R> {
 
     /// Fills what is missing at the end of the stream: with the last sample there was; if there was none,
     /// that is refused.
+    ///
+    /// # Errors
+    ///
+    /// [`Missing`] if gaps are not bridged or cannot be; otherwise the errors of the receiver of samples.
     pub fn finish<E: From<Missing>>(
         &mut self,
         mut pass: impl FnMut(&Increment<R>) -> Result<(), E>,

@@ -27,7 +27,7 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// Host: who is there?
+    /// Host: asks the target to identify itself.
     Greet = 0x01,
     /// Host: start navigation.
     Start = 0x02,
@@ -37,16 +37,16 @@ kinds! {
     Sample = 0x04,
     /// Host: height and vertical velocity.
     Hold = 0x05,
-    /// Host: the stream is at its end.
+    /// Host: end of the stream.
     Finish = 0x06,
-    /// Host: forget everything, as if switched off and on.
+    /// Host: reset, as if switched off and on.
     Reset = 0x07,
-    /// Target: it is there; sent unasked when it is switched on.
+    /// Target: identification; also sent when it is switched on.
     Hello = 0x81,
-    /// Target: where it stands.
+    /// Target: its state.
     Solution = 0x82,
-    /// Target: how much of a stored state it has.
+    /// Target: the number of words of a stored state that it has.
     Restoring = 0x83,
-    /// Target: it does not do what was asked.
+    /// Target: refusal.
     Refused = 0x84,
 }

@@ -3,6 +3,24 @@
 //! Bytes → [`decoder`] → [`frame`] → [`message`] → [`target`], which owns a [`flight`] of one of the
 //! mechanizations of its [`fleet`]. Every frame of a host that reaches its target whole is answered by
 //! one frame. Everything is little-endian, and numbers cross as their bits.
+//!
+//! ```
+//! use schuler::link::fleet::Single;
+//! use schuler::link::frame::{Header, MOST_ENCODED, encode};
+//! use schuler::link::kind::Kind;
+//! use schuler::link::target::Target;
+//!
+//! // A host asks a target to identify itself.
+//! let mut target = Target::<Single>::new(0);
+//! let mut line = [0; MOST_ENCODED];
+//! let header = Header { kind: Kind::Greet, sequence: 1, time_ns: 0 };
+//! let mut answers = 0;
+//! for &byte in encode(&header, &mut line, |_| ())? {
+//!     target.take(byte, &mut |_: &[u8]| answers += 1);
+//! }
+//! assert_eq!(answers, 1);
+//! # Ok::<(), schuler::link::frame::TooLong>(())
+//! ```
 
 pub mod bytes;
 pub mod counters;

@@ -1,4 +1,12 @@
-//! Why a target does not do what it is asked to.
+//! Refusals of a target, with their reasons.
+//!
+//! ```
+//! use schuler::link::refusal::Refusal;
+//!
+//! for &refusal in Refusal::ALL {
+//!     assert_eq!(Refusal::of(refusal.code()), Some(refusal));
+//! }
+//! ```
 
 use super::gap::{MOST_BRIDGED, Missing};
 use crate::strapdown::limits::{Rejected, StartError};
@@ -10,7 +18,7 @@ use core::fmt::{self, Display, Formatter};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Refusal {
-    /// It navigates nothing: it has just been switched on.
+    /// There is no navigation: it has just been switched on.
     NotStarted,
     /// It has no such mechanization.
     Configuration,
@@ -22,8 +30,8 @@ pub enum Refusal {
     Finished,
     /// The stream that is to be finished has had more samples than it is said to have.
     Count,
-    /// The stored state that was restored is none that navigation leaves. It has been written over what was
-    /// flown: it waits for the state again, from its beginning, or for a start.
+    /// The restored state cannot be a state of the navigator. It has replaced the previous flight: the target
+    /// waits for the state again, from its beginning, or for a start.
     Damaged,
     /// Navigation cannot start.
     Start(StartError),

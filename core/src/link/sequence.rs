@@ -1,4 +1,15 @@
 //! Sequence numbers at the receiver: what is missing, what came twice, what came late.
+//!
+//! ```
+//! use schuler::link::counters::Counters;
+//! use schuler::link::sequence::{Arrival, Sequence};
+//!
+//! let mut counters = Counters::default();
+//! let mut received = Sequence::after(7);
+//! assert_eq!(received.arrive(8, &mut counters), Arrival::New);
+//! assert_eq!(received.arrive(8, &mut counters), Arrival::Duplicate);
+//! assert_eq!(received.arrive(7, &mut counters), Arrival::Late);
+//! ```
 
 use super::counters::{Counters, count};
 

@@ -1,8 +1,18 @@
 //! The target's application: bytes in, bytes out; the same on a board, in an emulator and on a host.
 //!
-//! A frame that is not whole changes nothing but a counter. Every whole frame of a host is answered once: a
-//! new one by what it asks for, one that came again or too late by where the navigator stands, which
-//! it does not move. What only targets say is not answered.
+//! A damaged frame changes nothing but a counter. Every whole frame of a host is answered once: a new one
+//! according to its content, a repeated or late one with the state of the navigator, which it does not change.
+//! Frames of a kind that only targets send are not answered.
+//!
+//! ```
+//! use schuler::link::fleet::Single;
+//! use schuler::link::target::Target;
+//!
+//! let mut target = Target::<Single>::new(0);
+//! let mut sent = 0;
+//! target.hello(&mut |frame: &[u8]| sent += frame.len());
+//! assert!(sent > 0 && target.flight().is_none());
+//! ```
 
 use super::counters::{Counters, count};
 use super::decoder::Decoder;
@@ -52,13 +62,13 @@ impl<F: Fleet> Target<F> {
         Self { decoder: Decoder::default(), application: Application::new(boot) }
     }
 
-    /// Says unasked that it is there: the first thing that it sends.
+    /// Announces the target: the first frame that it sends.
     pub fn hello(&mut self, send: &mut impl FnMut(&[u8])) {
         self.application.send(0, Reply::Hello, send);
     }
 
-    /// Takes a byte that came; a frame that it completes is answered through `send`, which gets all of
-    /// the answer's bytes at once.
+    /// Takes a received byte. A frame that it completes is answered through `send`, which gets all bytes of
+    /// the answer at once.
     pub fn take(&mut self, byte: u8, send: &mut impl FnMut(&[u8])) {
         let Some(frame) = self.decoder.take(byte) else { return };
         let number = frame.header.sequence;
@@ -99,15 +109,14 @@ impl<F: Fleet> Application<F> {
         Counters { bridged, ..self.counters }
     }
 
-    /// Does what a frame asks; what no host says is not answered.
+    /// Carries out a frame; frames that no host sends are not answered.
     fn serve(&mut self, frame: &Frame) -> Option<Reply> {
         let Header { kind, sequence, time_ns } = frame.header;
         if matches!(kind, Kind::Hello | Kind::Solution | Kind::Restoring | Kind::Refused) {
             return None;
         }
         if kind == Kind::Greet {
-            // A host that has just come counts its frames from the beginning, and what befell others'
-            // is none of its business.
+            // A new host counts its frames from the beginning, and the counters start anew for it.
             self.received = Sequence::after(sequence);
             self.counters = Counters::default();
             return Some(Reply::Hello);
@@ -126,7 +135,7 @@ impl<F: Fleet> Application<F> {
         match request {
             Request::Greet | Request::Reset => return Ok(Reply::Hello),
             Request::Start(start) => {
-                // Refused, it leaves what is flown as it was.
+                // A refusal leaves the flight as it was.
                 self.flight = Some(F::start(start)?);
                 self.restored = None;
                 self.time_ns = 0;

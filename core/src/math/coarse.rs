@@ -1,7 +1,7 @@
 //! `Coarse`: single precision with micromath's fast, rough functions.
 //!
-//! A sine is good to about 1e-3 and a square root to a few per cent: a tier to weigh against the others, never
-//! one to navigate with. Sums, products and quotients are `f32`'s own.
+//! A sine is accurate to about 1e-3 and a square root to a few per cent: for comparison with the other types, not
+//! for navigation. Sums, products and quotients are those of `f32`.
 
 use super::real::{Real, Scalar};
 use super::twin::Both;

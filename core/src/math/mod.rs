@@ -1,4 +1,4 @@
-//! Ground floor: numbers, vectors, quaternions and sums with a carried remainder.
+//! Numbers, vectors, quaternions and compensated sums.
 //!
 //! | file | what it has |
 //! |---|---|

@@ -1,7 +1,17 @@
-//! Rotations: unit quaternions, and the small ones that are stored less one.
+//! Rotations: unit quaternions, and small rotations that are stored as q − 1.
 //!
 //! `q` with subscript b→n takes body components to navigation components:
-//! xⁿ = q ⊗ xᵇ ⊗ q*. A rotation by a small angle is kept as e = q − 1, which has no bits to lose.
+//! xⁿ = q ⊗ xᵇ ⊗ q*. A rotation by a small angle is kept as e = q − 1, which does not lose bits beside 1.
+//!
+//! ```
+//! use schuler::math::{quaternion::Quaternion, vector::Vector};
+//!
+//! // A quarter turn about the third axis takes forward to right.
+//! let half = core::f64::consts::FRAC_PI_4;
+//! let quarter = Quaternion::new(half.cos(), Vector::new(0.0, 0.0, half.sin()));
+//! let turned = quarter.matrix(1.0) * Vector::new(1.0, 0.0, 0.0);
+//! assert!((turned - Vector::new(0.0, 1.0, 0.0)).norm() < 1e-15);
+//! ```
 
 use super::real::{Number, Real};
 use super::vector::Vector;
@@ -85,7 +95,7 @@ impl<R: Real> Quaternion<R> {
         Self { w: self.w - k * (R::ONE + self.w), v: self.v - self.v * k }
     }
 
-    /// How much longer than one 1 + self is, to first order: ½(2eₛ + |e|²).
+    /// |1 + self| − 1 to first order: ½(2eₛ + |e|²).
     #[inline(always)]
     pub fn excess(self) -> R {
         (self.w + self.w + self.dot(self)) * R::HALF

@@ -1,12 +1,22 @@
 //! `Real`: the one seam between the algorithms and a floating-point type.
 //!
-//! Everything above is written once, for `f32`, `f64`, a pack of independent runs or a test scalar.
-//! Nothing above branches on a value: comparisons give a mask, and `select` chooses lane by lane.
-//! IEEE 754 fixes the bits of + − × ÷ √ everywhere; other functions are libm's (`scalar`).
+//! Every algorithm is written once, for `f32`, `f64`, a pack of independent runs or a test scalar.
+//! None branches on a value: comparisons give a mask, and `select` chooses lane by lane.
+//! IEEE 754 determines the bits of + − × ÷ √ everywhere; other functions are libm's (`scalar`).
+//!
+//! ```
+//! use schuler::math::real::Real;
+//!
+//! fn hypotenuse<R: Real>(a: R, b: R) -> R {
+//!     (a * a + b * b).sqrt()
+//! }
+//! assert_eq!(hypotenuse(3.0_f32, 4.0), 5.0);
+//! assert_eq!(hypotenuse(3.0_f64, 4.0), 5.0);
+//! ```
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What can be added and multiplied: enough for vectors and quaternions.
+/// Types with + − ×: enough for vectors and quaternions.
 pub trait Number:
     Copy + Default + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
@@ -17,7 +27,7 @@ impl<T> Number for T where
 {
 }
 
-/// A real scalar: one number, or a pack of numbers that independent runs share an instruction for.
+/// A real scalar: one number, or a pack of numbers of independent runs that share instructions.
 pub trait Real: Number + Div<Output = Self> + Send + 'static {
     /// The result of a comparison: `bool`, or one per lane.
     type Mask: Copy;
@@ -37,7 +47,7 @@ pub trait Real: Number + Div<Output = Self> + Send + 'static {
 
     /// A literal of the source text, rounded to this type; the compiler folds it.
     fn of(literal: f64) -> Self;
-    /// What [`Real::of`] rounds away of `literal`, itself rounded: 0 in double precision.
+    /// The part of `literal` that [`Real::of`] rounds away, itself rounded: 0 in double precision.
     fn residual(literal: f64) -> Self;
     /// One of two roundings of a table's entry.
     fn entry(single: f32, double: f64) -> Self;
@@ -75,7 +85,7 @@ pub trait Real: Number + Div<Output = Self> + Send + 'static {
 
 /// Two numbers side by side.
 pub trait Twin<R>: Number + core::fmt::Debug {
-    /// Whether they share a register of a large processor, which long code does not hurt.
+    /// Whether they share a vector register; on such processors long code is no disadvantage.
     const IN_REGISTER: bool;
 
     /// From the two.

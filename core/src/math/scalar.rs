@@ -58,7 +58,7 @@ macro_rules! scalar {
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
-                // Both are correctly rounded; the standard library's is one instruction.
+                // Both are correctly rounded; that of the standard library is one instruction.
                 #[cfg(feature = "std")]
                 return $t::sqrt(self);
                 #[cfg(not(feature = "std"))]

@@ -1,6 +1,14 @@
-//! Two numbers side by side: what goes through the same operations shares a vector instruction.
+//! Two numbers side by side: the same operation on both is one vector instruction.
 //!
-//! Only the grouping differs from two scalars; every operation and its bits are the same.
+//! Only the grouping differs from two scalars; every operation and its result are the same, bit for bit.
+//!
+//! ```
+//! use schuler::math::real::Twin;
+//! use schuler::math::twin::Both;
+//!
+//! let sum = Both(1.0_f32, 2.0) + Both::both(0.5);
+//! assert_eq!(sum.parts(), (1.5, 2.5));
+//! ```
 
 use super::real::{Real, Twin};
 use core::ops::{Add, Mul, Neg, Sub};
@@ -58,7 +66,7 @@ impl<R: Real> Neg for Both<R> {
     }
 }
 
-/// Two doubles: one register where the standard library vouches for a host's vector unit.
+/// Two doubles: one vector register on a host, with the standard library.
 #[cfg(feature = "std")]
 pub type DoubleTwin = wide::f64x2;
 /// Two doubles.
@@ -72,7 +80,7 @@ pub type SingleTwin = wide::f32x4;
 #[cfg(not(feature = "std"))]
 pub type SingleTwin = Both<f32>;
 
-/// Two numbers in a register, and what fills the rest of it.
+/// Two numbers in a register, with values to fill the rest of it.
 #[cfg(feature = "std")]
 macro_rules! in_register {
     ($twin:ty, $real:ty $(, $rest:literal)*) => {

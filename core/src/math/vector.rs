@@ -1,9 +1,18 @@
 //! Three components along one frame's axes.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//!
+//! let north = Vector::new(1.0_f64, 0.0, 0.0);
+//! let east = Vector::new(0.0, 1.0, 0.0);
+//! assert_eq!(north.cross(east), Vector::new(0.0, 0.0, 1.0));
+//! assert_eq!((north * 3.0 + east * 4.0).norm(), 5.0);
+//! ```
 
 use super::real::{Number, Real};
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A vector; the frame stands in the name of the variable that holds it.
+/// A vector; its frame is in the name of the variable that holds it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Vector<T> {

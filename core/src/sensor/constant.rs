@@ -1,4 +1,21 @@
 //! Constant bias: the same in every run.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing, constant::Constant};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = Constant::new(axes(1e-3), timing)?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert!((reading.increment - truth - axes(1e-5)).norm() < 1e-17);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
@@ -14,6 +31,10 @@ pub struct Constant<R> {
 
 impl<R: Deviate> Constant<R> {
     /// From the bias of each axis, angle/s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a bias is not finite.
     pub fn new(bias: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let bias = Parameter::Constant.signed(bias)?;
         // ∫b dt = bΔt

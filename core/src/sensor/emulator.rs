@@ -1,4 +1,21 @@
 //! The emulator: perfect increments in, the increments of real sensors out.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::sensor::{Timing, constant::Constant, emulator::Emulator, white::White};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let axes = |x| Vector::new(x, x, x);
+//! let gyro = (Constant::new(axes(5e-7), timing)?, White::new(axes(3e-6), timing)?);
+//! // `()`: perfect accelerometers.
+//! let emulator = Emulator::new(gyro, (), timing);
+//! let mut state = emulator.start(1, 0);
+//! let perfect = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let read = emulator.emulate(&mut state, &perfect);
+//! assert!(read.velocity_b == perfect.velocity_b && read.angle_b != perfect.angle_b);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
@@ -15,7 +32,7 @@ pub struct Emulator<R, G, A> {
     timing: Timing<R>,
 }
 
-/// What the sensors of one run remember.
+/// The state of the sensors of one run.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EmulatorState<G, A> {
@@ -23,7 +40,7 @@ pub struct EmulatorState<G, A> {
     pub gyro: G,
     /// Of the accelerometers' terms.
     pub accelerometer: A,
-    /// Samples in which some axis was beyond its limit.
+    /// Samples in which some axis exceeded its limit.
     pub saturated: u64,
 }
 
@@ -31,7 +48,7 @@ pub struct EmulatorState<G, A> {
 pub type State<R, G, A> = EmulatorState<<G as ErrorTerm<R>>::State, <A as ErrorTerm<R>>::State>;
 
 impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
-    /// From the errors of the gyros and of the accelerometers, made for the same timing.
+    /// From the error terms of the gyros and of the accelerometers, made for the same timing.
     pub fn new(gyro: G, accelerometer: A, timing: Timing<R>) -> Self {
         Self { gyro, accelerometer, timing }
     }
@@ -57,9 +74,9 @@ impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
         Increment { angle_b: gyro.increment, velocity_b: accelerometer.increment }
     }
 
-    /// The same for sensors that deliver rates: the errors of a sample, averaged over it, on the
-    /// instantaneous rates. So white noise is that of a bandwidth of half the sample rate, a bias is
-    /// the sample's mean, and a quantized output moves in steps of the least significant bit over
+    /// The same for sensors that deliver rates: the errors of a sample, averaged over it, are added to the
+    /// instantaneous rates. So white noise has a bandwidth of half the sample rate, a bias is its
+    /// mean over the sample, and a quantized output moves in steps of the least significant bit divided by
     /// the interval. A component without error passes unchanged.
     #[inline]
     pub fn emulate_rates(&self, state: &mut State<R, G, A>, perfect: &Rates<R>) -> Rates<R> {
@@ -79,7 +96,7 @@ impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
         }
     }
 
-    /// The rate that was read, given the perfect rate and the increments before and after.
+    /// The rate that is read, given the perfect rate and the increments without and with errors.
     #[inline]
     fn rate(&self, perfect: Vector<R>, before: Vector<R>, after: Vector<R>) -> Vector<R> {
         // a·Δt/Δt may differ from a by a unit in the last place.

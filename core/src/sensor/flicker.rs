@@ -2,6 +2,23 @@
 //!
 //! A sum of Gauss-Markov processes, one per decade of correlation time from the sample interval to
 //! the run's length: T_i = 10ⁱ Δt, σ_i² = B² ln(T_{i+1}/T_i)/π.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing, flicker::Flicker};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = Flicker::new(axes(1e-3), timing)?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert!((reading.increment - truth).norm() < 1e-3);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::gauss_markov::Process;
 use super::parameter::{Parameter, ParameterError};
@@ -10,13 +27,13 @@ use crate::math::vector::Vector;
 use crate::noise::{Deviate, Stream, Streams};
 use crate::record::{Record, record};
 
-/// As many decades as a 64-bit count of samples can have.
+/// The number of decades of a 64-bit count of samples.
 const DECADES: usize = 20;
 
 /// σ_i/B = √(ln 10/π).
 const POLE: f64 = 0.856_116_580_191_873;
 
-/// Bias instability. Its Allan variance is (2 ln2/π)B²: the deviation keeps to it within 4 % from ten
+/// Bias instability. Its Allan variance is (2 ln2/π)B²; the deviation is within 4 % of that from ten
 /// samples to a twentieth of the run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -25,7 +42,7 @@ pub struct Flicker<R> {
     poles: [Option<Process<R>>; DECADES],
 }
 
-/// The parts of the bias and what drives them.
+/// The parts of the bias and their random numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FlickerState<R> {
@@ -34,7 +51,7 @@ pub struct FlickerState<R> {
     streams: [Stream; 3],
 }
 
-/// The poles of a run: their correlation times, s, rising, and the rms of each over B.
+/// The poles of a run: their correlation times, s, in rising order, and the rms of each over B.
 pub fn poles<R: Deviate>(timing: Timing<R>) -> impl Iterator<Item = (R, R)> {
     let longest = timing.samples();
     let mut next = Some((1u64, timing.interval_s()));
@@ -47,6 +64,10 @@ pub fn poles<R: Deviate>(timing: Timing<R>) -> impl Iterator<Item = (R, R)> {
 
 impl<R: Deviate> Flicker<R> {
     /// From B of each axis, angle/s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a number is negative or not finite.
     pub fn new(instability: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let instability = Parameter::BiasInstability.magnitude(instability)?;
         let mut table = [None; DECADES];

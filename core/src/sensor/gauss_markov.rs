@@ -1,7 +1,24 @@
-//! First-order Gauss-Markov bias: ḃ = −b/T + w, the paper's (5) and, with its sign repaired, (7).
+//! First-order Gauss-Markov bias: ḃ = −b/T + w, equations (5) and (7) of the paper, (7) with the correct sign.
 //!
-//! The bias at a sample's end and its integral over the sample are drawn jointly, so that neither
-//! depends on the sample rate. It starts stationary.
+//! The bias at a sample's end and its integral over the sample are drawn jointly, so their statistics do not
+//! depend on the sample rate. The initial value is drawn from the stationary distribution.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing, gauss_markov::GaussMarkov};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = GaussMarkov::new(axes(1e-3), axes(100.0), timing)?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert!((reading.increment - truth).norm() < 1e-4);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
@@ -22,7 +39,7 @@ pub struct Process<R> {
 }
 
 impl<R: Deviate> Process<R> {
-    /// From σ and T, s; neither is checked.
+    /// From σ and T, s, which are not checked.
     pub fn new(rms: R, correlation_s: R, interval_s: R) -> Self {
         // x = Δt/T,  u = 1 − e⁻ˣ
         let x = interval_s / correlation_s;
@@ -59,7 +76,7 @@ impl<R: Deviate> Process<R> {
         integral
     }
 
-    /// A number that is finite if every coefficient is.
+    /// A number that is finite if and only if every coefficient is.
     pub(super) fn extent(&self) -> R {
         self.rms + self.drive + self.integral + self.coupled + self.independent
     }
@@ -88,7 +105,7 @@ pub struct GaussMarkov<R> {
     axes: [Process<R>; 3],
 }
 
-/// The bias and what drives it.
+/// The bias and its random numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GaussMarkovState<R> {
@@ -99,6 +116,10 @@ pub struct GaussMarkovState<R> {
 
 impl<R: Deviate> GaussMarkov<R> {
     /// From the rms of each axis, angle/s, and its correlation time, s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if an rms is negative, a correlation time is not positive, or either is not finite.
     pub fn new(
         rms: Vector<R>,
         correlation_s: Vector<R>,

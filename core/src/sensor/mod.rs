@@ -1,10 +1,18 @@
-//! What sensors get wrong, as terms that are composed.
+//! Sensor errors, as terms that are composed.
 //!
 //! output = quantize(saturate((I + S + M)·x + G·f + Σ biases + noise)), with x and f integrated over
-//! a sample; quantized too, it stays within the limits. A term per file, each in its exact discrete form. `()` is the perfect sensor, `(A, B)`
-//! first A then B, `Option<T>` is decided at run time; an absent term takes no time and no random
-//! numbers. "Angle" in a unit stands for what the increments count: rad for a gyro, m/s for an
-//! accelerometer.
+//! a sample. The quantized output stays within the limits, too. Each term has a file, and is in its exact
+//! discrete form. `()` is the perfect sensor, `(A, B)` is first A, then B, and `Option<T>` is decided at run
+//! time; an absent term takes no time and no random numbers. "Angle" in a unit stands for the quantity that
+//! the increments count: rad for a gyro, m/s for an accelerometer.
+//!
+//! ```
+//! use schuler::sensor::Timing;
+//!
+//! let timing = Timing::new(0.01_f64, 180_000)?;
+//! assert_eq!((timing.interval_s(), timing.samples()), (0.01, 180_000));
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 pub mod constant;
 pub mod emulator;
@@ -27,7 +35,7 @@ use crate::noise::{Deviate, Streams};
 use crate::record::Record;
 use parameter::{Fault, Parameter, ParameterError};
 
-/// When a sensor is read.
+/// The sampling of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Timing<R> {
@@ -36,8 +44,12 @@ pub struct Timing<R> {
 }
 
 impl<R: Deviate> Timing<R> {
-    /// A sample every `interval_s` seconds, and how many a run has: at least one. The run's length
-    /// only matters to flicker, whose slowest pole it sets.
+    /// A sample every `interval_s` seconds, and the number of samples in a run, at least one. The run's length
+    /// matters only to flicker: it sets the slowest pole.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if the interval is not positive and finite, or there are no samples.
     pub fn new(interval_s: R, samples: u64) -> Result<Self, ParameterError> {
         let interval_s = Parameter::Interval.single(interval_s)?;
         if samples == 0 {
@@ -57,44 +69,44 @@ impl<R: Deviate> Timing<R> {
     }
 }
 
-/// What a triad of sensors is exposed to during a sample.
+/// The true input to a triad of sensors during a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stimulus<R> {
-    /// What it measures, x: Δθ of a gyro (rad), Δv of an accelerometer (m/s), in the body frame.
+    /// The measured quantity x: Δθ for gyros (rad), Δv for accelerometers (m/s), in the body frame.
     pub sensed: Vector<R>,
     /// Integral of the specific force, ∫fᵇ dt, m/s.
     pub velocity_b: Vector<R>,
 }
 
-/// What a triad makes of it.
+/// The output of a triad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Reading<R> {
-    /// The increment: begins as the truth, and passes through the terms.
+    /// The increment: it starts as the truth, and each term changes it.
     pub increment: Vector<R>,
-    /// Whether an axis was beyond its limit.
+    /// Whether an axis exceeded its limit.
     pub saturated: bool,
-    /// The largest increment that each axis can put out, where there is a limit.
+    /// The largest increment that each axis can deliver, if there is a limit.
     pub limit: Option<Vector<R>>,
 }
 
 impl<R> Reading<R> {
-    /// Of what a perfect triad without limits reads.
+    /// The reading of a perfect triad without limits.
     pub fn new(increment: Vector<R>) -> Self {
         Self { increment, saturated: false, limit: None }
     }
 }
 
-/// A way in which a triad of like sensors errs.
+/// An error term of a triad of sensors of one kind.
 pub trait ErrorTerm<R: Deviate> {
-    /// What it remembers from sample to sample.
+    /// Its state from sample to sample.
     type State: Clone + Record;
 
     /// The state before the first sample of a run.
     fn start(&self, streams: Streams) -> Self::State;
 
-    /// Adds the error of the next sample to a reading (limits and steps are applied to it).
+    /// Adds the error of the next sample to a reading (limits and quantization are applied to it).
     fn apply(&self, state: &mut Self::State, stimulus: &Stimulus<R>, reading: &mut Reading<R>);
 }
 

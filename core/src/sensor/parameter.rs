@@ -1,11 +1,19 @@
-//! What can be wrong with a parameter, and the checks that every constructor makes.
+//! Errors in parameters, and the checks that every constructor makes.
+//!
+//! ```
+//! use schuler::sensor::Timing;
+//! use schuler::sensor::parameter::{Fault, Parameter};
+//!
+//! let refused = Timing::new(0.0_f64, 1).unwrap_err();
+//! assert_eq!((refused.parameter, refused.fault), (Parameter::Interval, Fault::NotPositive));
+//! ```
 
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
-/// A number that a sensor model is made from.
+/// A parameter of a sensor model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -55,15 +63,15 @@ pub enum Fault {
     OutOfRange,
 }
 
-/// A parameter that cannot be.
+/// A parameter that is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ParameterError {
     /// Which one.
     pub parameter: Parameter,
-    /// Of which axis: 0, 1, 2 for x, y, z; `None` where there is one value for all.
+    /// Of which axis: 0, 1, 2 for x, y, z; `None` if there is one value for all.
     pub axis: Option<u8>,
-    /// Why not.
+    /// The reason.
     pub fault: Fault,
 }
 
@@ -158,7 +166,7 @@ impl Parameter {
         self.each(value, above_zero)
     }
 
-    /// A coefficient that was computed from checked values: the range of the type may not hold it.
+    /// A coefficient computed from checked values, which may exceed the range of the type.
     pub(super) fn computed<R: Scalar>(self, value: Vector<R>) -> Result<Vector<R>, ParameterError> {
         self.each(value, |x| finite(x).map_err(|_| Fault::OutOfRange))
     }
@@ -169,7 +177,7 @@ impl Parameter {
         Ok(value)
     }
 
-    /// An error that concerns all axes.
+    /// An error of all axes.
     pub(super) fn fault(self, fault: Fault) -> ParameterError {
         ParameterError { parameter: self, axis: None, fault }
     }

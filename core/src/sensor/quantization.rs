@@ -1,18 +1,34 @@
-//! Quantization: increments come in whole steps, and what a step leaves over is not lost.
+//! Quantization: increments come in whole steps, and the remainder is carried to the next sample.
 //!
-//! The cumulative sum is rounded and its difference emitted. Rounding each sample for itself would
-//! turn 3Q²/τ² of Allan variance into white noise, and bias slow motion.
+//! The cumulative sum is rounded and its difference emitted. Rounding each sample alone would
+//! turn the Allan variance 3Q²/τ² into that of white noise, and bias slow motion.
 //!
-//! A sensor with limits puts out at most the largest whole number of steps within them. What it cannot
-//! put out is lost, as beyond any limit: the remainder never exceeds half a step, so that nothing winds
-//! up while the sensor is at its limit and comes out later.
+//! A sensor with limits delivers at most the largest whole number of steps within them. The excess is lost,
+//! as with any limit: the remainder never exceeds half a step, so nothing accumulates while the sensor is at
+//! its limit.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, quantization::Quantization};
+//!
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = Quantization::new(axes(0.015))?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert_eq!(reading.increment.x, 0.015);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};
 use crate::math::vector::Vector;
 use crate::noise::{Deviate, Streams};
 
-/// Steps of the output. Its Allan variance is 3Q²/τ² with Q = step/√12.
+/// Quantization of the output. Its Allan variance is 3Q²/τ² with Q = step/√12.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Quantization<R> {
@@ -22,6 +38,10 @@ pub struct Quantization<R> {
 
 impl<R: Deviate> Quantization<R> {
     /// From the least significant bit of each axis, angle; 0 leaves an axis continuous.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a step is negative or not finite.
     pub fn new(step: Vector<R>) -> Result<Self, ParameterError> {
         let step = Parameter::Quantization.magnitude(step)?;
         let inverse = step.map(|s| if s > R::ZERO { R::ONE / s } else { R::ZERO });
@@ -30,7 +50,7 @@ impl<R: Deviate> Quantization<R> {
 }
 
 impl<R: Deviate> ErrorTerm<R> for Quantization<R> {
-    /// What the output so far lacks of the input so far: at most half a step.
+    /// The input so far less the output so far: at most half a step.
     type State = Vector<R>;
 
     #[inline]
@@ -60,13 +80,13 @@ impl<R: Deviate> ErrorTerm<R> for Quantization<R> {
     }
 }
 
-/// The largest whole number of steps within a limit, as an increment; a step of 0 has no numbers.
+/// The largest whole number of steps within a limit, as an increment.
 fn most<R: Deviate>(limit: R, (step, steps_per_unit): (R, R)) -> R {
     if step == R::ZERO {
         return limit;
     }
     let nearest = (limit * steps_per_unit).round();
-    // A limit that is whole steps but for its own rounding is what they come to.
+    // A limit that is a whole number of steps, but for its own rounding, is that number of steps.
     let most = nearest * step;
     if most <= limit {
         most

@@ -1,6 +1,23 @@
 //! Random walk of the bias: rate random walk, acceleration random walk.
 //!
-//! The bias' step and the bias' integral over a sample are correlated, and drawn jointly.
+//! The step of the bias and its integral over a sample are correlated, and are drawn jointly.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing, random_walk::RandomWalk};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = RandomWalk::new(axes(1e-4), timing)?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert!((reading.increment - truth).norm() < 1e-5);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
@@ -18,7 +35,7 @@ pub struct RandomWalk<R> {
     independent: Vector<R>,
 }
 
-/// The bias and what drives it.
+/// The bias and its random numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RandomWalkState<R> {
@@ -29,6 +46,10 @@ pub struct RandomWalkState<R> {
 
 impl<R: Deviate> RandomWalk<R> {
     /// From K of each axis, angle/s/√s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a density is negative or not finite.
     pub fn new(density: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let density = Parameter::RandomWalk.magnitude(density)?;
         let interval_s = timing.interval_s();

@@ -1,4 +1,4 @@
-//! The fields of composed states, for [`Record`]: what goes on from them goes on bit for bit.
+//! The fields of composed states, for [`Record`]: from a restored state the run continues bit for bit.
 
 use crate::noise::Stream;
 use crate::record::{Record, record};
@@ -29,7 +29,7 @@ impl<A: Record, B: Record> Record for (A, B) {
     record!(0, 1;);
 }
 
-/// Whether there is anything is configuration, not state.
+/// Whether the term is present is configuration, not state.
 impl<T: Record> Record for Option<T> {
     fn record(&self, name: Name, read: &mut impl FnMut(Name, u64)) {
         if let Some(present) = self {

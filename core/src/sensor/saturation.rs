@@ -1,11 +1,28 @@
-//! Saturation: no axis reads beyond its limit.
+//! Saturation: no axis reads more than its limit.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing, saturation::Saturation};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = Saturation::new(axes(1.0), timing)?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert!(reading.saturated && (reading.increment.x - 0.01).abs() < 1e-16);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
 use crate::noise::{Deviate, Streams};
 
-/// Limits of the mean rate over a sample. A reading beyond them is cut, and marked.
+/// Limits of the mean rate over a sample. A larger reading is set to the limit, and marked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Saturation<R> {
@@ -14,12 +31,16 @@ pub struct Saturation<R> {
 
 impl<R: Deviate> Saturation<R> {
     /// From the largest output of each axis, angle/s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if a limit is not positive and finite.
     pub fn new(limit: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let limit = Parameter::Saturation.positive(limit)?;
         let interval_s = timing.interval_s();
         let increment = limit.map(|rate| {
             let increment = rate * interval_s;
-            // As a rate again it must not come out above, by rounding.
+            // Converted back to a rate, it must not exceed the limit by rounding.
             let below = increment - increment * R::entry(6e-8, 1.2e-16);
             if increment / interval_s > rate { below } else { increment }
         });

@@ -1,4 +1,20 @@
-//! Scale factor error: S·x, positive where a sensor reads too much.
+//! Scale factor error: S·x, positive if the sensor reads too much.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, scale_factor::ScaleFactor};
+//!
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = ScaleFactor::new(axes(1e-3))?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert!((reading.increment.x - 0.02002).abs() < 1e-16);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};
@@ -14,6 +30,10 @@ pub struct ScaleFactor<R> {
 
 impl<R: Deviate> ScaleFactor<R> {
     /// From the relative error of each axis.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if an error is not finite.
     pub fn new(relative: Vector<R>) -> Result<Self, ParameterError> {
         Ok(Self { relative: Parameter::ScaleFactor.signed(relative)? })
     }

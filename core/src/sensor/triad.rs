@@ -1,4 +1,16 @@
-//! Every term there is, present or absent at run time: a triad of gyros or of accelerometers.
+//! A triad of gyros or of accelerometers with every error term, each present or absent at run time.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sensor::{Timing, emulator::Emulator, triad::Triad, white::White};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let white = White::new(Vector::new(3e-6, 3e-6, 3e-6), timing)?;
+//! let gyro = Triad { white: Some(white), ..Triad::PERFECT };
+//! let emulator = Emulator::new(gyro, Triad::PERFECT, timing);
+//! # let _ = emulator;
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::constant::Constant;
 use super::flicker::Flicker;
@@ -17,16 +29,16 @@ use crate::record::{Record, record};
 
 macro_rules! triad {
     ($($(#[$doc:meta])* $name:ident: $term:ident = $branch:literal,)+) => {
-        /// The terms of a triad, in the order in which they act; `None` throughout is a perfect one.
+        /// The terms of a triad, in the order in which they act; with `None` for all it is perfect.
         ///
-        /// A term's random numbers do not depend on which other terms there are.
+        /// A term's random numbers do not depend on which other terms are present.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct Triad<R> {
             $($(#[$doc])* pub $name: Option<$term<R>>,)+
         }
 
-        /// What the terms remember.
+        /// The states of the terms.
         #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct TriadState<R: Deviate> {
@@ -83,7 +95,7 @@ triad! {
     g_sensitivity: GSensitivity = 8,
     /// Limits.
     saturation: Saturation = 9,
-    /// Steps.
+    /// Quantization.
     quantization: Quantization = 10,
 }
 

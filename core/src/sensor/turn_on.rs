@@ -1,4 +1,21 @@
 //! Turn-on bias: drawn once for each run.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::noise::Streams;
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, Timing, turn_on::TurnOn};
+//!
+//! let timing = Timing::new(0.01_f64, 1000)?;
+//! let axes = |x| Vector::new(x, x, x);
+//! let term = TurnOn::new(axes(1e-3), timing)?;
+//! let mut state = term.start(Streams::new(1, 0));
+//! let truth = Vector::new(0.02_f64, 0.0, 0.0);
+//! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
+//! let mut reading = Reading::new(truth);
+//! term.apply(&mut state, &stimulus, &mut reading);
+//! assert!((reading.increment - truth).norm() < 1e-4);
+//! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
+//! ```
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
@@ -14,6 +31,10 @@ pub struct TurnOn<R> {
 
 impl<R: Deviate> TurnOn<R> {
     /// From the rms of each axis, angle/s.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError`] if an rms is negative or not finite.
     pub fn new(rms: Vector<R>, timing: Timing<R>) -> Result<Self, ParameterError> {
         let rms = Parameter::TurnOnRms.magnitude(rms)?;
         let rms_increment = Parameter::TurnOnRms.computed(rms * timing.interval_s())?;
@@ -22,7 +43,7 @@ impl<R: Deviate> TurnOn<R> {
 }
 
 impl<R: Deviate> ErrorTerm<R> for TurnOn<R> {
-    /// What this run's bias adds to every sample.
+    /// What the bias of this run adds to every sample.
     type State = Vector<R>;
 
     #[inline]

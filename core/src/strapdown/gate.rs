@@ -1,4 +1,10 @@
-//! What can be right: initial solutions, samples and verticals to hold are admitted or refused here.
+//! Checks of input: initial solutions, samples and held verticals are accepted or refused here.
+//!
+//! ```
+//! use schuler::strapdown::gate::subnormals_survive;
+//!
+//! assert!(subnormals_survive::<f32>() && subnormals_survive::<f64>());
+//! ```
 
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
 use crate::math::compensated::Pair;
@@ -14,11 +20,11 @@ use core::hint::black_box;
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Gate<R> {
-    /// The limit, and what a block may turn by if that is less.
+    /// The limit, or less if a block would turn too far.
     most_angle: R,
     limit: R,
     most_velocity: R,
-    /// What a sample of any interval may turn by, rad.
+    /// The largest angle of a sample of any interval, rad.
     most_turn: R,
     limits: Limits<R>,
 }
@@ -29,7 +35,7 @@ fn is_positive<R: Real>(x: R) -> bool {
     x.is_within(R::of(1e30)) & !R::any(x.less(R::of(1e-30)))
 }
 
-/// Whether an interval can be one of a sample: above 0 s and at most 1 s.
+/// Whether an interval is valid: above 0 s and at most 1 s.
 #[inline]
 fn is_interval<R: Real>(interval_s: R) -> bool {
     is_positive(interval_s) & interval_s.is_within(R::ONE)
@@ -42,7 +48,7 @@ pub(crate) fn interval_of<R: Real>(rate_hz: f64) -> Pair<R> {
 }
 
 impl<R: Real> Gate<R> {
-    /// For samples of an interval in seconds, so many to a block.
+    /// For samples of an interval in seconds and blocks of a number of samples.
     pub fn new(interval_s: R, limits: Limits<R>, block: usize) -> Result<Self, StartError> {
         if !is_interval(interval_s) {
             return Err(StartError::Interval);
@@ -65,7 +71,7 @@ impl<R: Real> Gate<R> {
         }
     }
 
-    /// Whether a sample of an interval of its own can be right.
+    /// Whether a sample with its own interval is within the limits.
     #[inline]
     pub fn admit_over(&self, sample: &Increment<R>, interval_s: R) -> Result<(), Rejected> {
         if is_interval(interval_s) {
@@ -75,7 +81,7 @@ impl<R: Real> Gate<R> {
         }
     }
 
-    /// Whether a sample can be right.
+    /// Whether a sample is within the limits.
     #[inline(always)]
     pub fn admit(&self, sample: &Increment<R>) -> Result<(), Rejected> {
         let (angle, velocity) = (self.most_angle, self.most_velocity);
@@ -95,7 +101,7 @@ impl<R: Real> Gate<R> {
     }
 }
 
-/// Whether the processor computes with subnormal numbers, as IEEE 754 has it.
+/// Whether the processor computes with subnormal numbers, as IEEE 754 requires.
 #[inline(never)]
 pub fn subnormals_survive<R: Real>() -> bool {
     // Half of the smallest normal number, and twice that again: both exact.
@@ -105,7 +111,7 @@ pub fn subnormals_survive<R: Real>() -> bool {
     !R::any(back.less(normal)) & !R::any(normal.less(back))
 }
 
-/// Whether a height and a vertical velocity can be right.
+/// Whether a height and a vertical velocity are within the limits.
 pub(crate) fn admit_held<R: Real>(altitude: R, down: R) -> Result<(), Rejected> {
     if altitude.is_within(R::of(FARTHEST)) & down.is_within(R::of(FASTEST)) {
         Ok(())
@@ -114,17 +120,17 @@ pub(crate) fn admit_held<R: Real>(altitude: R, down: R) -> Result<(), Rejected> 
     }
 }
 
-/// An initial solution, if it can be right, its attitude brought to unit length.
+/// An initial solution with its attitude brought to unit length, if it is within the limits.
 pub(crate) fn admit_start<R: Real>(initial: &Solution<R>) -> Result<Solution<R>, StartError> {
     if !subnormals_survive::<R>() {
         return Err(StartError::FlushToZero);
     }
-    // A remainder that is not finite shows in the sum.
+    // The sum shows a remainder that is not finite, too.
     let position = initial.position.map(|c| c.hi + c.lo);
     let pole = R::of(core::f64::consts::FRAC_PI_2 * (1.0 + 1e-7));
     let on_earth = position.latitude.is_within(pole)
         & position.longitude.is_within(R::of(core::f64::consts::TAU))
-        // Where the shell that Earth-fixed navigation stays in is widest; the frame itself is asked, too.
+        // At the widest place of the shell of Earth-fixed navigation; the frame itself is checked, too.
         & position.altitude.is_within(R::of(FARTHEST + SEMI_MAJOR_AXIS - SEMI_MINOR_AXIS));
     if !on_earth {
         return Err(StartError::Position);

@@ -1,4 +1,24 @@
-//! What navigation accepts, and what it says where something is beyond that.
+//! The limits of navigation, and the errors beyond them.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::sample::Increment;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::block::window::H0B4A0;
+//! use schuler::strapdown::frame::local_level::LocalLevel;
+//! use schuler::strapdown::limits::{Limits, Rejected};
+//! use schuler::strapdown::navigator::Strapdown;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let limits = Limits { angular_rate: 10.0, specific_force: 200.0 };
+//! let navigator = Strapdown::<LocalLevel<Pair<f64>>, H0B4A0>::with_limits(Pair::of(0.01), limits)?;
+//! let mut state = navigator.start(&initial)?;
+//! let broken = Increment { angle_b: Vector::new(f64::NAN, 0.0, 0.0), velocity_b: Vector::ZERO };
+//! assert_eq!(navigator.push(&mut state, broken), Err(Rejected::Angle));
+//! # Ok::<(), schuler::strapdown::limits::StartError>(())
+//! ```
 
 use crate::math::real::Real;
 
@@ -8,8 +28,8 @@ pub(crate) const FARTHEST: f64 = 1e6;
 /// Velocity, m/s, that navigation starts with at most.
 pub(crate) const FASTEST: f64 = 1e5;
 
-/// The largest angle that a block may turn by about one axis, rad: the series of a step are cut short,
-/// and are made for less.
+/// The largest angle that a block may turn by about one axis, rad. The series of a step are truncated and
+/// do not serve larger angles.
 pub const MOST_TURN: f64 = 2.0;
 
 /// The largest readings that can be right.
@@ -32,7 +52,7 @@ impl<R: Real> Default for Limits<R> {
     }
 }
 
-/// Why a sample, a vertical to hold or a correction was not taken. The state is as it was, bit for bit.
+/// Why a sample, a held vertical or a correction was refused. The state is unchanged, bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -42,16 +62,16 @@ pub enum Rejected {
     /// A velocity increment that is not finite, or above the limit.
     Velocity,
     /// The local-level frame has come within a ten-thousandth of the Earth's radius of a pole, where
-    /// its axes end: the Earth-fixed frame goes on.
+    /// its axes are undefined. The Earth-fixed frame has no such limit.
     Pole,
-    /// Navigation has left the neighbourhood of the ellipsoid, 1000 km up or down.
+    /// The position is more than 1000 km above or below the ellipsoid.
     Place,
     /// A height or a vertical velocity to hold that is not finite, above 1000 km or above 10⁵ m/s.
     Held,
     /// An interval that is not finite, not above 0 s or above 1 s.
     Interval,
     /// An angle increment within the limit, but so large that a block of such samples would turn by more
-    /// than [`MOST_TURN`]: a window with a shorter block, or samples more often, would do.
+    /// than [`MOST_TURN`]. Use a window with a shorter block, or a higher rate.
     Turn,
     /// A correction that is not finite, above 10 km, 10 km/s or half a turn, or whose result is no state
     /// to go on from.
@@ -102,7 +122,7 @@ pub enum StartError {
     Attitude,
     /// The local-level frame cannot start at a pole.
     Pole,
-    /// The processor takes subnormal numbers for zero: its bits would be others than everywhere else.
+    /// The processor flushes subnormal numbers to zero, so its results would differ from those of others.
     FlushToZero,
 }
 

@@ -5,8 +5,8 @@
 //! | [`block`] | the body's motion over a block of samples: windows, fits, series |
 //! | [`frame`] | the step over a block in local-level or Earth-fixed axes |
 //! | [`navigator`] | samples in, blocks and rows out |
-//! | [`reference`](mod@reference) | what it is measured against: the textbook's algorithm, Runge-Kutta |
-//! | [`mechanization`] | what every mechanization has in common |
+//! | [`reference`](mod@reference) | algorithms that it is compared with: the textbook's, Runge-Kutta |
+//! | [`mechanization`] | the trait of all mechanizations |
 //! | [`correction`] | corrections of a running state |
 //! | [`limits`], [`gate`], [`plausible`] | what is accepted of samples, starts and restored states |
 //!

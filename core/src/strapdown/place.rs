@@ -1,4 +1,4 @@
-//! Where navigation can go on, and longitudes beyond ±180°.
+//! Places at which navigation can continue, and longitudes beyond ±180°.
 
 use crate::earth::{SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS};
 use crate::math::compensated::{Accumulate, Pair};
@@ -6,10 +6,10 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::strapdown::limits::{FARTHEST, Rejected};
 
-/// cosφ below which north and east are not told apart any more: 640 m from a pole.
+/// cosφ below which north and east are not well defined: 640 m from a pole.
 const POLAR_COSINE: f64 = 1e-4;
 
-/// Whether a place in local-level axes is one to go on from.
+/// Whether local-level navigation can continue at a place.
 #[inline(always)]
 pub(crate) fn check_local<R: Real>(cosine: R, altitude: R) -> Result<(), Rejected> {
     if !altitude.is_within(R::of(FARTHEST)) {
@@ -21,8 +21,8 @@ pub(crate) fn check_local<R: Real>(cosine: R, altitude: R) -> Result<(), Rejecte
     }
 }
 
-/// Brings a longitude of at most ±3π back into ±180°, with all the digits of 2π; within ±180° it stays as it
-/// is, to the last bit.
+/// Wraps a longitude of at most ±3π to ±180°, with twice the digits of 2π; within ±180° it is unchanged, to
+/// the last bit.
 #[inline(always)]
 pub(crate) fn fold_longitude<S: Accumulate>(longitude: &mut S) {
     const TURN: f64 = core::f64::consts::TAU;
@@ -38,7 +38,7 @@ pub(crate) fn fold_longitude<S: Accumulate>(longitude: &mut S) {
     }
 }
 
-/// Whether a place in Earth-fixed axes is one to go on from: in the shell between the spheres
+/// Whether Earth-fixed navigation can continue at a place: in the shell between the spheres
 /// [`FARTHEST`] below the poles and above the equator.
 #[inline(always)]
 pub(crate) fn check_earth_fixed<R: Real>(position_e: Vector<R>) -> Result<(), Rejected> {

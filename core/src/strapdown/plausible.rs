@@ -1,16 +1,37 @@
-//! Whether a state that came back from bytes is one that navigation could have left there.
+//! Checks whether a state that was restored from bytes can be a state of a navigator.
 //!
-//! A state's fields hang together: a latitude with its sine, a place with its gravity, a number of samples
-//! with the room for them. Whoever writes a state back, from storage or from a link, asks for all of it
-//! with [`Mechanization::check`](crate::strapdown::mechanization::Mechanization::check) before going on: a single wrong
-//! bit can otherwise hold a loop for ever, or bring in what is no number.
+//! A state's fields depend on each other: a latitude and its sine, a place and its gravity, a number of
+//! samples and the room for them. After a state is written back, from storage or from a link, check it with
+//! [`Mechanization::check`](crate::strapdown::mechanization::Mechanization::check) before navigation
+//! continues. A single wrong bit could otherwise cause an endless loop or a NaN.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::sample::Increment;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::record::Record;
+//! use schuler::strapdown::block::window::H0B4A0;
+//! use schuler::strapdown::frame::local_level::LocalLevel;
+//! use schuler::strapdown::navigator::Strapdown;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let navigator = Strapdown::<LocalLevel<Pair<f64>>, H0B4A0>::new(Pair::of(0.01))?;
+//! let mut state = navigator.start(&initial)?;
+//! assert!(navigator.check(&state).is_ok());
+//! // A latitude that no longer belongs to its sine.
+//! state.restore("", &mut |name, bits| if name == "sine" { 0 } else { bits });
+//! assert!(navigator.check(&state).is_err());
+//! # Ok::<(), schuler::strapdown::limits::StartError>(())
+//! ```
 
 use crate::math::compensated::Accumulate;
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 
-/// A restored state is none that navigation leaves: start again.
+/// A restored state that no navigator can have: start again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Damaged;
@@ -23,18 +44,18 @@ impl core::fmt::Display for Damaged {
 
 impl core::error::Error for Damaged {}
 
-/// What can tell whether its fields are finite, in range and agree with one another.
+/// A state that can check whether its fields are finite, in range and consistent.
 pub trait Plausible {
-    /// Whether they do.
+    /// Whether they are.
     fn is_plausible(&self) -> bool;
 }
 
-/// Samples or words that nobody counts beyond: 500 years at a gigahertz.
+/// The largest plausible number of samples: 570 years at a megahertz.
 pub(crate) const MOST_COUNTED: u64 = 1 << 54;
 
-/// Velocity, m/s, that is not met: navigation starts with at most a tenth of it.
+/// The largest plausible velocity, m/s; navigation starts with at most a tenth of it.
 pub(crate) const MOST_SPEED: f64 = 1e6;
-/// Change of gravity over a block and its differences, m/s², that are not met.
+/// The largest plausible change of gravity over a block, and of its differences, m/s².
 pub(crate) const MOST_GRAVITY_CHANGE: f64 = 100.0;
 
 /// Both parts of a sum finite and within ±bound.
@@ -53,7 +74,7 @@ pub(crate) fn is_attitude<R: Real>(q: Quaternion<R>) -> bool {
     (q.dot(q) - R::ONE).is_within(R::of(2e-3))
 }
 
-/// Whether two numbers that follow from one another are within a bound.
+/// Whether two numbers that depend on each other agree within a bound.
 pub(crate) fn agree<R: Real>(a: R, b: R, bound: R) -> bool {
     (a - b).is_within(bound)
 }

@@ -1,7 +1,26 @@
 //! The paper's trajectory, generalised: every channel is offset + rate·t + a sum of harmonics.
 //!
 //! Equations (1) and (2) of the paper, with more than one harmonic per channel. Harmonics of one
-//! frequency are evaluated once for all channels; a channel without any costs a product and a sum.
+//! frequency are evaluated once for all channels; a channel without harmonics costs a product and a sum.
+//!
+//! ```
+//! use schuler::trajectory::harmonic::{Channel, Channels, Harmonic, HarmonicTrajectory};
+//! use schuler::trajectory::Trajectory;
+//!
+//! let fixed = |offset| Channel { offset, rate: 0.0, harmonics: &[] };
+//! let swing = [Harmonic { amplitude: 0.1_f64, angular_rate: 2.0, phase: 0.0 }];
+//! let flight = HarmonicTrajectory::<f64, 1>::new(Channels {
+//!     roll: Channel { harmonics: &swing, ..fixed(0.0) },
+//!     pitch: fixed(0.0),
+//!     yaw: Channel { rate: 0.01, ..fixed(0.0) },
+//!     latitude: fixed(0.8),
+//!     longitude: fixed(0.1),
+//!     altitude: fixed(100.0),
+//! })?;
+//! let motion = flight.at(0.0);
+//! assert_eq!((motion.roll.value, motion.yaw.first), (0.1, 0.01));
+//! # Ok::<(), schuler::trajectory::harmonic::CourseError>(())
+//! ```
 
 use super::{Bound, Jet, Motion, Trajectory};
 use crate::earth::SEMI_MAJOR_AXIS;
@@ -10,7 +29,7 @@ use crate::math::real::Scalar;
 use core::f64::consts::{PI, TAU};
 use heapless::Vec;
 
-/// Channels that are angles: all but the last, the altitude.
+/// Number of channels that are angles: all but the last, the altitude.
 const ANGLES: usize = 5;
 
 /// amplitude · cos(angular_rate · t + phase).
@@ -74,19 +93,19 @@ pub struct Channels<'a, R> {
     pub altitude: Channel<'a, R>,
 }
 
-/// Why there is no such trajectory.
+/// Why a trajectory cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum CourseError {
     /// More harmonics than the trajectory has room for.
     TooManyHarmonics {
-        /// How many there is room for, over all channels.
+        /// The number of harmonics that there is room for, over all channels.
         room: usize,
     },
     /// A number of this channel is not finite, or too large for a rate to be finite.
     NotFinite {
-        /// Its place among the [`Channels`], from 0.
+        /// Its index among the [`Channels`], from 0.
         channel: usize,
     },
 }
@@ -131,6 +150,10 @@ pub struct HarmonicTrajectory<R, const N: usize> {
 
 impl<R: Scalar, const N: usize> HarmonicTrajectory<R, N> {
     /// From its channels.
+    ///
+    /// # Errors
+    ///
+    /// [`CourseError`] if there are more than `N` harmonics, or a number is not finite.
     pub fn new(channels: Channels<'_, R>) -> Result<Self, CourseError> {
         let full = CourseError::TooManyHarmonics { room: N };
         let Channels { roll, pitch, yaw, latitude, longitude, altitude } = channels;
@@ -185,9 +208,9 @@ fn bound<R: Scalar>(channels: &[Channel<'_, R>; 6]) -> Result<Bound<R>, CourseEr
     let turning = roll + pitch + yaw;
     let earth = R::of(crate::earth::ROTATION_RATE);
     Ok(Bound {
-        // Products of two harmonics reach twice the fastest, turned by the attitude; gravity and the
-        // transport rate go with sines of up to four times the latitude, and with powers of the
-        // altitude as a share of the Earth's radius: dᵏγ/dtᵏ = (k + 1)!(−ḣ/a)ᵏ γ < (4ḣ/a)ᵏ γ, k < 6.
+        // Products of two harmonics reach twice the highest frequency, rotated by the attitude; gravity and the
+        // transport rate contain sines of up to four times the latitude, and powers of the
+        // altitude over the Earth's radius: dᵏγ/dtᵏ = (k + 1)!(−ḣ/a)ᵏ γ < (4ḣ/a)ᵏ γ, k < 6.
         bandwidth: fastest
             + fastest
             + turning
@@ -196,11 +219,11 @@ fn bound<R: Scalar>(channels: &[Channel<'_, R>; 6]) -> Result<Bound<R>, CourseEr
     })
 }
 
-/// rate·t within ±π, rad, as exactly as a number of that size can be.
+/// rate·t wrapped to ±π, rad, correct to the last digit of its size.
 fn turned<R: Scalar>(rate: R, time_s: Pair<R>) -> R {
     let (steady, rest) = two_product(rate, time_s.hi);
     let turns = (steady / R::of(TAU)).round();
-    // 2π as its rounding and what that dropped: of many turns, both count.
+    // 2π as a rounded number and its remainder: for many turns, both count.
     let (whole, dropped) = two_product(turns, R::of(TAU));
     let low = turns * R::entry(-1.748_455_6e-7, 2.449_293_598_294_706_4e-16);
     (steady - whole) + (rest + rate * time_s.lo - dropped - low)
@@ -225,7 +248,7 @@ impl<R: Scalar, const N: usize> Trajectory<R> for HarmonicTrajectory<R, N> {
             };
         }
         for (tone, &w) in self.tones.iter().enumerate() {
-            // What rounding drops from the phase, a day of vibration from its beginning a millionth of a
+            // The remainder of the phase, which after a day of vibration is a millionth of a
             // turn: sin(x + e) = sin x + e cos x
             let (phase, rest) = two_product(w, time_s.hi);
             let rest = rest + w * time_s.lo;

@@ -1,4 +1,15 @@
 //! The truth: motion as an analytic function of time.
+//!
+//! ```
+//! use schuler::trajectory::{Jet, Motion};
+//!
+//! // 0.01 rad/s of latitude is about 64 km/s to the north.
+//! let motion = Motion {
+//!     latitude: Jet { value: 0.0_f64, first: 0.01, second: 0.0 },
+//!     ..Motion::default()
+//! };
+//! assert!((motion.velocity_ned().x - 63354.0).abs() < 1.0);
+//! ```
 
 pub mod harmonic;
 
@@ -49,7 +60,7 @@ impl<R: Record> Record for Motion<R> {
     record!(roll, pitch, yaw, latitude, longitude, altitude);
 }
 
-/// How lively a motion can be at most: what quadrature and windows are planned from.
+/// Bounds of a motion, from which quadrature and windows are planned.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bound<R> {
@@ -63,8 +74,7 @@ pub struct Bound<R> {
 
 /// A motion that can be evaluated at any time.
 pub trait Trajectory<R: Real> {
-    /// The motion at a time in seconds, with what rounding dropped from it; an angle may come with whole
-    /// turns taken out.
+    /// The motion at a time in seconds with its remainder; whole turns may be removed from an angle.
     fn at_instant(&self, time_s: Pair<R>) -> Motion<R>;
     /// The motion at a time in seconds.
     fn at(&self, time_s: R) -> Motion<R> {
@@ -75,8 +85,8 @@ pub trait Trajectory<R: Real> {
 }
 
 impl<R: Real> Motion<R> {
-    /// Rate of north, east and down against the Earth, in these axes, rad/s; from sine and cosine of the
-    /// latitude.
+    /// Angular rate of the north-east-down axes relative to the Earth, in these axes, rad/s; from sine and
+    /// cosine of the latitude.
     #[inline(always)]
     pub fn transport_rate(&self, sine: R, cosine: R) -> Vector<R> {
         // ω_enⁿ = (λ̇ cosφ, −φ̇, −λ̇ sinφ)
@@ -99,7 +109,7 @@ impl<R: Real> Motion<R> {
 }
 
 impl<R: Scalar> Motion<R> {
-    /// The state that a perfect navigator would print, the latitude folded into ±90°.
+    /// The state that a perfect navigator would print, with the latitude within ±90°.
     pub fn solution(&self) -> Solution<R> {
         let (position, velocity_ned, attitude) = self.folded();
         Solution {
@@ -109,7 +119,7 @@ impl<R: Scalar> Motion<R> {
         }
     }
 
-    /// The same to start from: its attitude to about twice the digits.
+    /// The same as a start, with the attitude to about twice the digits.
     pub fn initial(&self) -> Solution<R> {
         let (position, velocity_ned, attitude) = self.folded();
         Solution::new(position, velocity_ned, attitude)
@@ -126,7 +136,7 @@ impl<R: Scalar> Motion<R> {
         };
         let mut yaw = self.yaw.value;
         if position.latitude.abs() > R::of(core::f64::consts::FRAC_PI_2) {
-            // Beyond the pole the printed meridian is the opposite one, and north points back.
+            // Beyond the pole the printed meridian is the opposite one, and north is reversed.
             let pole = if position.latitude > R::ZERO { pi } else { -pi };
             position.latitude = pole - position.latitude;
             position.longitude = position.longitude + pi;
@@ -140,7 +150,7 @@ impl<R: Scalar> Motion<R> {
     }
 }
 
-/// An angle brought into [−π, π]; untouched where it lies there already.
+/// An angle wrapped to [−π, π]; unchanged if it is there already.
 pub fn wrap<R: Scalar>(angle: R) -> R {
     let turn = R::of(core::f64::consts::TAU);
     if angle.abs() > R::of(core::f64::consts::PI) {

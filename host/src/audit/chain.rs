@@ -16,7 +16,7 @@
 //! After the first line come `key: value` lines, of which `stage` names a stage, its words' type (f32 or
 //! f64) and a field for each word. After a blank line, each line is a stage's row (sample, words in hex:
 //! the IEEE bits, 8 or 16 digits), a checkpoint (`#`, sample, digest of all rows up to there) or the end
-//! (`=`). Rows may be left out, digests count them all the same.
+//! (`=`). Rows may be left out of the file; digests include them nevertheless.
 
 use crate::scene::Axes;
 use std::fmt::Write as _;

@@ -1,4 +1,4 @@
-//! Where two chains part: the first sample, stage and field, and how the difference grows.
+//! The first difference of two chains: sample, stage and field, and how the difference grows.
 
 use super::chain::Chain;
 use super::difference::{Difference, between};

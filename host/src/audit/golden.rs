@@ -1,4 +1,4 @@
-//! Golden chains: a folder of recorded scenes, each a folder of chains, to be flown again and compared.
+//! Golden chains: a folder of recorded scenes, each a folder of chains, which are flown again and compared.
 
 use super::chain::{Chain, Stage};
 use super::compare::{Parting, compare};

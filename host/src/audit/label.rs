@@ -1,4 +1,4 @@
-//! What the words of a stage are called.
+//! Names of the words of a stage.
 
 use super::chain::Stage;
 use crate::scene::Axes;

@@ -1,20 +1,20 @@
-//! `schuler audit`: digests of flights, and where two of them first part.
+//! `schuler audit`: digests of flights, and the first difference of two flights.
 //!
 //! | file | what |
 //! |---|---|
 //! | `configuration` | the navigators that are flown |
 //! | `record` | a scene's stages into chains |
 //! | `chain` | the files: format, writing |
-//! | `read` | and reading |
-//! | `label` | what words are called |
+//! | `read` | the files: reading |
+//! | `label` | names of words |
 //! | `golden` | folders of chains, flown again |
 //! | `functions` | digests of libm's functions beside them |
 //! | `pair` | two chains side by side |
 //! | `difference` | two values of a word |
-//! | `compare` | where two chains part |
-//! | `sensitivity` | what one unit in the last place does |
-//! | `show` | all that as tables |
-//! | `page` | and as HTML and JSON |
+//! | `compare` | the first difference of two chains |
+//! | `sensitivity` | the effect of one unit in the last place |
+//! | `show` | results as tables |
+//! | `page` | results as HTML and JSON |
 
 pub mod chain;
 pub mod compare;

@@ -1,4 +1,4 @@
-//! What an audit found, as a page for people and as JSON for programs.
+//! The result of an audit, as a page for people and as JSON for programs.
 
 use crate::input::{Complaint, InputError};
 use crate::output;

@@ -1,4 +1,4 @@
-//! What one unit in the last place of an input does to the outputs later on: digits beyond that mean
+//! The effect of one unit in the last place of an input on later outputs: digits beyond it mean
 //! nothing.
 
 use crate::navigator;

@@ -1,4 +1,4 @@
-//! What an audit found, in words and tables.
+//! The result of an audit, in words and tables.
 
 use super::compare::{Growth, Parting};
 use super::difference::Difference;

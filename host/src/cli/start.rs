@@ -1,4 +1,4 @@
-//! Where a flight starts, against what navigation can start from.
+//! Checks that navigation can start from a flight's initial state.
 
 use crate::input::InputError;
 use crate::navigator::{self, Unavailable};

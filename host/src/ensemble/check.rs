@@ -1,4 +1,4 @@
-//! Which scenes an ensemble can be flown of.
+//! Which scenes can be flown as an ensemble.
 
 use crate::input::{Complaint, InputError};
 use crate::scene::{Algorithm, Link, Scene, SensorErrors};

@@ -1,6 +1,6 @@
 //! All runs of an ensemble, on all processors: in groups, each flown by whichever thread is free.
 //!
-//! A run depends on its number alone, so neither threads nor lanes show in the result.
+//! A run depends only on its number, so the result does not depend on threads or lanes.
 
 use super::group::{Ground, Unit};
 use super::held::Held;

@@ -1,4 +1,4 @@
-//! Runs that fly together on one core: abreast where a window is compiled for lanes, else one.
+//! Runs that fly together on one core: several in lanes if the window is compiled for that, else one.
 
 use super::alone::Alone;
 use super::pack::Pack;

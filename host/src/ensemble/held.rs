@@ -1,4 +1,4 @@
-//! The vertical that navigation is held to, worked out once for all runs.
+//! The held vertical, computed once for all runs.
 
 use crate::source::Source;
 use std::sync::OnceLock;

@@ -1,7 +1,7 @@
-//! `schuler ensemble`: many runs of a scene, whose drift is compared with what theory expects.
+//! `schuler ensemble`: many runs of a scene, whose drift is compared with theory.
 //!
-//! Runs differ in what is drawn from the seed: turn-on biases, Gauss-Markov processes, noise. All fly
-//! the same motion, whose truth and perfect increments are worked out once.
+//! Runs differ in their random numbers: turn-on biases, Gauss-Markov processes, noise. All fly
+//! the same motion, whose truth and perfect increments are computed once.
 
 mod alone;
 mod check;

@@ -1,4 +1,4 @@
-//! What navigation costs abreast and alone: the same samples, in turns, on one core.
+//! The time of navigation in lanes and alone: the same samples, alternately, on one core.
 
 use super::group::{Ground, Unit};
 use crate::navigator::Unavailable;

@@ -1,4 +1,4 @@
-//! Runs abreast. A lane whose run has failed flies on as a copy of one whose run has not.
+//! Runs in lanes. A lane whose run has failed continues as a copy of one whose run has not.
 
 use super::held::Held;
 use super::runs::{Failure, Group};

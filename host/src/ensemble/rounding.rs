@@ -1,4 +1,4 @@
-//! What rounding in single precision does to an ensemble, which theory leaves out.
+//! The effect of rounding in single precision on an ensemble, which theory leaves out.
 
 use super::fleet::{self, Reading};
 use super::group::{Ground, Unit};

@@ -1,6 +1,6 @@
-//! Mean and spread of the drift over the runs, and whether they are what theory expects.
+//! Mean and spread of the drift over the runs, and whether they agree with theory.
 //!
-//! Of n runs with mean m and standard deviation s, where theory says μ and σ: n(m − μ)²/σ² is χ² with
+//! For n runs with mean m and standard deviation s, and μ and σ by theory: n(m − μ)²/σ² is χ² with
 //! one degree of freedom, (n − 1)s²/σ² is χ² with n − 1.
 
 use super::fleet::Reading;

@@ -1,4 +1,4 @@
-//! Some samples in a row, and how a case takes them.
+//! Consecutive samples, and how a case takes them.
 
 use super::case::Craft;
 use crate::navigator::Reader;

@@ -1,4 +1,4 @@
-//! The Pareto front: what is beaten by nothing.
+//! The Pareto front: the points that no other point dominates.
 
 use super::Point;
 

@@ -1,4 +1,4 @@
-//! One scene at one rate: every case flown against the truth, then timed in turns.
+//! One scene at one rate: every case flown against the truth, then all timed alternately.
 
 use super::case::{Case, Craft};
 use super::chunk::Chunk;

@@ -1,8 +1,8 @@
 //! `schuler frontier`: run time against error, over algorithm, window, frame, precision and rate.
 //!
 //! A scene gives its motion and its length; sensors are perfect and the start is exact. Errors are the
-//! largest over every row. Times are of navigation alone, at block ends with no row read. On a scene's
-//! front is what no other point beats both in time per second of flight (ns per sample × rate) and in
+//! largest over every row. Times are of navigation alone, at block ends without reading rows. A scene's
+//! front has the points that no other point beats both in time per second of flight (ns per sample × rate) and in
 //! the largest position error.
 
 pub mod case;

@@ -1,4 +1,4 @@
-//! What a case costs: nanoseconds per sample, all cases in turns.
+//! The time of a case: nanoseconds per sample, with all cases measured alternately.
 
 use super::case::Craft;
 use crate::source::Source;

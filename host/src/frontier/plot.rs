@@ -1,4 +1,4 @@
-//! `frontier.png`: a panel per scene, time against error, both logarithmic, the front drawn in.
+//! `frontier.png`: a panel per scene, time against error, both logarithmic, with the front.
 
 use super::Point;
 use super::case::{Arithmetic, Case, Method};

@@ -1,4 +1,4 @@
-//! The front as a table that says what to pick, and what was left out.
+//! The front as a table of what to choose, and of what was left out.
 
 use super::case::Case;
 use super::task::Task;

@@ -1,4 +1,4 @@
-//! What is to be measured: which scenes, at which rates, for how long.
+//! The measurements to make: scenes, rates and durations.
 
 use crate::cli::FrontierArgs;
 use crate::input::{Complaint, InputError};

@@ -1,4 +1,4 @@
-//! A channel: bytes to a device and back, whatever lies between.
+//! A channel: bytes to a device and back, over any kind of connection.
 
 use crate::input::Complaint;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! What a target is asked to fly: what the scene asks for, among what the target offers.
+//! The configuration that a target is asked to fly: that of the scene, if the target offers it.
 
 use crate::input::{Complaint, InputError};
 use crate::scene::{Navigator, WindowShape};

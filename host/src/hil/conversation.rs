@@ -1,4 +1,4 @@
-//! Requests and their answers: sent again when no answer comes, and told apart when too many do.
+//! Requests and their answers: requests are repeated if no answer comes, and surplus answers are recognised.
 
 use super::channel::{Broken, Channel};
 use super::patience::Patience;

@@ -1,4 +1,4 @@
-//! Frames out of a stream of bytes, whole or broken, as they are.
+//! Frames from a stream of bytes, whole or damaged, unchanged.
 
 /// Cuts a stream of bytes into frames with the zero bytes about them.
 #[derive(Clone, Debug, Default)]

@@ -1,4 +1,4 @@
-//! The first field in which a target's answer is not its twin's.
+//! The first field in which a target's answer differs from its twin's.
 
 use super::reply::Standing;
 use schuler::flight::configuration::{Axes, Configuration, Precision};

@@ -1,4 +1,4 @@
-//! Faults that are put in on purpose: their kinds, how often, and how many there were.
+//! Faults that are injected on purpose: their kinds, probabilities and counts.
 
 use crate::input::{Complaint, Range};
 

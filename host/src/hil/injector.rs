@@ -1,10 +1,9 @@
-//! A channel on which things go wrong, by seed: the same faults every time.
+//! A channel with faults that a seed determines: the same faults every time.
 //!
-//! It knows how many answers are due, and reports silence at once where none is: nobody waits for a
-//! frame that it swallowed, and the clock has no say in what happens. Every fault leaves its own trace:
-//! of a request that was hit the answer is not, nor is an answer that nobody waits for; what keeps frames
-//! waiting happens once to a request, however often it is sent again; and a target is rebooted when all
-//! that it has noticed is known.
+//! It knows how many answers are due, and reports silence at once if there is none. So nobody waits for a
+//! frame that it dropped, and the result does not depend on the clock. Every fault has its own effect: if a
+//! request is hit, its answer is not, nor is an answer that nobody waits for. Faults that delay frames occur once
+//! per request, even if it is repeated. A target is rebooted only when all of its counters are known.
 
 use super::channel::{Broken, Channel};
 use super::cutter::Cutter;

@@ -1,7 +1,7 @@
 //! `schuler hil`: a scene flown by a target and by its twin on the host, every bit compared.
 //!
-//! [`device`] opens a [`channel`], on which an [`injector`] may put [`faults`]; a [`conversation`] asks
-//! and is answered; [`lockstep`] flies both sides with it, and [`tally`] says what happened on the way.
+//! [`device`] opens a [`channel`], into which an [`injector`] may inject [`faults`]; a [`conversation`] sends
+//! requests and receives answers; [`lockstep`] flies both sides with it, and [`tally`] counts errors on the link.
 
 pub mod channel;
 pub mod child;

@@ -1,4 +1,4 @@
-//! Real time: each sample at its own instant, and how long its answer takes.
+//! Real time: each sample at its own instant, and the time until its answer.
 
 use std::thread;
 use std::time::{Duration, Instant};

@@ -1,4 +1,4 @@
-//! How long an answer is waited for: as long as the line and the target have shown to need.
+//! How long to wait for an answer, from the times that the line and the target have needed so far.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What a target answers, free from the bytes that it came in.
+//! A target's answer, independent of the bytes that it was received in.
 
 use schuler::flight::configuration::Configuration;
 use schuler::link::message::Body;

@@ -1,4 +1,4 @@
-//! What happened on a link, as its two ends noticed it.
+//! Errors on a link, as its two ends counted them.
 
 use super::faults::{Fault, Injected};
 use crate::flight::{FaultCount, LinkReport, TraceCount};

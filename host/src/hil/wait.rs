@@ -1,4 +1,4 @@
-//! A wait for an answer, whatever comes in its place.
+//! A wait for an answer, with anything else that may arrive.
 
 use std::time::{Duration, Instant};
 

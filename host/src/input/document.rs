@@ -1,4 +1,4 @@
-//! TOML read key by key, so that every complaint knows its line.
+//! TOML read key by key, so that every error message has its line.
 
 use super::{Complaint, InputError, Range};
 use std::ops::Range as Span;

@@ -1,4 +1,4 @@
-//! What is wrong with something that a person gave, and where it stands.
+//! Errors in a user's input, with their place.
 
 pub mod document;
 

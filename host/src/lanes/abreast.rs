@@ -1,8 +1,8 @@
-//! Runs in flight side by side, whole blocks at a time.
+//! Runs that fly side by side, whole blocks at a time.
 //!
-//! The first and the last blocks of a stream are flown by each run alone: their code is rare, and out of
-//! line, where lanes are slow. In between the states stand in lanes, joined and split along the list of
-//! fields that storage and digests walk.
+//! Each run flies the first and the last blocks of a stream alone: their code is rarely used and out of
+//! line, where lanes are slow. In between the states are in lanes, joined and split by the list of
+//! fields that storage and digests use, too.
 
 use super::pack::{LANE, Lanes, Task};
 use super::samples::unpack;

@@ -1,7 +1,7 @@
 //! Numbers, one of each run, that go through the same operations side by side.
 //!
-//! Every lane computes what a lone `f64` would, to the bit: IEEE 754 fixes the operations, and functions
-//! are `f64`'s own.
+//! Every lane has the result of a single `f64`, bit for bit: IEEE 754 determines the operations, and functions
+//! are those of `f64`.
 
 use super::sealed::Sealed;
 use schuler::math::real::Real;

@@ -1,6 +1,6 @@
-//! Where a file is written before it has its name.
+//! The file before it has its name.
 //!
-//! Where the file system can, it has none at all until then, and goes with the program however that ends.
+//! If the file system allows it, the file has no name until then, and disappears with the program however that ends.
 
 use super::stop::Listed;
 use std::fs::{self, File};

@@ -1,7 +1,7 @@
-//! What is taken away when the program is told to stop, so that nothing half done stays behind.
+//! What is removed when the program is told to stop, so that nothing unfinished is left.
 //!
-//! A file under way has no name where the file system can do without one (`aside`); what does
-//! have one, and processes that were started, are listed here.
+//! An unfinished file has no name if the file system allows that (`aside`). Files with a name, and processes
+//! that were started, are listed here.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,4 +1,4 @@
-//! Where a path leads, and the folders on the way that are not there yet.
+//! The target of a path, and the folders on it that do not exist yet.
 
 use std::fs;
 use std::io;

@@ -1,4 +1,4 @@
-//! The choice: the cheapest window that loses nothing, or else the best.
+//! The choice: the cheapest window without loss of accuracy, or else the best.
 
 use super::candidate::Candidate;
 use super::growth::{self, Rate};

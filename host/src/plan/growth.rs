@@ -1,4 +1,4 @@
-//! How far steady errors of the steps carry a position: the unaided growth laws.
+//! The growth of a position error from steady errors of the steps, without aiding.
 
 use schuler::earth::{EQUATORIAL_GRAVITY, ROTATION_RATE, SEMI_MAJOR_AXIS};
 use schuler::math::real::Real;

@@ -1,4 +1,4 @@
-//! What a stretch's blocks miss, resolved in north, east and down, without its swing.
+//! The mean error of a stretch's blocks in north, east and down, without its oscillation.
 
 use super::growth::Rate;
 use super::middle::taper;

@@ -1,4 +1,4 @@
-//! The errors of a passage without their swing: weighed means over its middle, and over its halves.
+//! The errors of a passage without their oscillation: weighted means over its middle, and over its halves.
 
 use super::growth::Rate;
 use schuler::drift::compare::{Drift, drift};

@@ -1,9 +1,9 @@
 //! The beginning of a flight and its end, or all of a short one, flown by the navigator itself: with its
 //! windows at the edges, its steps and its rows.
 //!
-//! Stretches tell what blocks add from then on. What an edge leaves, and where in their swing the errors of
-//! a swinging motion began, is told by the flight's own beginning alone; what the steps leave, by passages
-//! of some length.
+//! Stretches show what later blocks add. The error of an edge, and the phase in which the errors of an
+//! oscillating motion begin, show only in the flight's own beginning; the error of the steps shows in
+//! passages of some length.
 
 use super::candidate::Candidate;
 use super::middle::{Middle, Told};

@@ -1,8 +1,8 @@
-//! What a stretch of a motion truly does to the body, sample by sample.
+//! The true motion of the body over a stretch, sample by sample.
 //!
-//! A sample's motion comes from a polynomial of degree 12 or 13 through its neighbours, on lively motion
-//! through increments four times as dense. Motions are kept as what exceeds the sums of the increments,
-//! which a window's block passes on exactly: their rounding is far below that of the navigator.
+//! A sample's motion comes from a polynomial of degree 12 or 13 through its neighbours, in fast motion
+//! through increments that are four times as dense. Motions are stored less the sums of the increments, which
+//! a window's block passes on exactly, so their rounding is far below that of the navigator.
 
 use schuler::imu::Quadrature;
 use schuler::math::compensated::two_sum;

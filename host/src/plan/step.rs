@@ -1,5 +1,5 @@
-//! What the nav step leaves over blocks of some length: flown on true body motions in such blocks and in
-//! blocks of twice that, from the same start. Its turns are exact: position and velocity tell.
+//! The error of the navigation step over blocks of some length, flown on true body motions in such blocks and in
+//! blocks of twice that length, from the same start. Its rotations are exact, so position and velocity show it.
 
 use super::growth::rise;
 use super::middle::taper;

@@ -1,10 +1,10 @@
 //! Trial flights: windows on stretches of the motion, each block against the true one, and in passages
 //! flown by the navigator itself.
 //!
-//! What a window's blocks miss, resolved in north, east and down, grows into a position by the unaided
-//! growth laws, from the errors on that the flight's beginning leaves. Swings are weighed away: their errors
-//! come and go, and what remains of them is where they began. Nothing here knows a clock: every machine
-//! chooses the same.
+//! The errors of a window's blocks, in north, east and down, grow into a position error by the unaided
+//! growth laws, starting from the errors of the flight's beginning. Weighted means remove oscillations, whose errors
+//! cancel except for the phase in which they began. Nothing here depends on a clock: every machine makes the
+//! same choice.
 
 use super::candidate::Candidate;
 use super::growth::{self, Rate};

@@ -1,4 +1,4 @@
-//! What time the samples have: a constant rate whose stamps are rounded, or the stamps' own steps.
+//! The time of the samples: a constant rate with rounded stamps, or the steps of the stamps themselves.
 
 use super::habits::Habits;
 use super::line::{LeastSquares, Strip};

@@ -1,4 +1,4 @@
-//! What the first rows of a recording say about all of them: the unit of the stamps, the usual step.
+//! Properties of a recording that its first rows show: the unit of the stamps, the usual step.
 
 use super::Kind;
 use super::rows::Recording;

@@ -1,9 +1,9 @@
 //! The straight lines that pass all stamps within their rounding.
 //!
-//! Stamps tₙ of a constant rate, rounded by a quantum q, lie within a strip of the height q along the line
-//! a + h n. Of all stamps only the corners of their convex hull matter for that, and these are few as long
-//! as there is such a line: a recording of any length is judged exactly in little memory, as it goes by.
-//! Beside it, a straight line by least squares.
+//! Stamps tₙ of a constant rate, rounded by a quantum q, lie within a strip of height q along the line
+//! a + h n. Only the corners of their convex hull matter for that, and these are few as long
+//! as there is such a line. So a recording of any length is examined exactly, in one pass and in little memory.
+//! There is also a straight line by least squares.
 
 /// Corners of a hull beyond which no line of a constant rate can be meant.
 const MOST_CORNERS: usize = 4096;

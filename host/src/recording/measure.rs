@@ -1,7 +1,7 @@
-//! What the samples of a recording support: their differences, in stretches without a gap.
+//! The window that the samples of a recording support, from their differences in stretches without a gap.
 //!
-//! The measure is that of [`support`](schuler::strapdown::block::support); here it goes on over gaps and over
-//! rows that were not looked at.
+//! The measure is that of [`support`](schuler::strapdown::block::support), continued over gaps and over
+//! rows that were not examined.
 
 use crate::scene::WindowShape;
 use schuler::sample::Increment;

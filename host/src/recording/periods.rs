@@ -1,4 +1,4 @@
-//! Counters that start over: how long each takes to come round.
+//! Counters that wrap around: the period of each.
 
 /// Name and length, s, of what is known to come round.
 pub const PERIODS: [(&str, f64); 6] = [

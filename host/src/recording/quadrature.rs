@@ -1,14 +1,14 @@
-//! Increments from instantaneous rates that stand at the samples' ends.
+//! Increments from instantaneous rates at the samples' ends.
 //!
 //! A sample's increment is the integral of the cubic through the rates at four neighbouring instants: two
 //! before and two after, or the nearest four at the end of a stretch. With even steps h that is
 //! h/24·(−f₋₂ + 13f₋₁ + 13f₀ − f₁); its error is 11/720·h⁵f⁗ per sample (19/720 for the second and the last
 //! sample). A stretch of fewer rates uses the polynomial through them.
 //!
-//! The first sample of a stretch starts where no rate is known: it is extrapolated from the one to four
-//! rates that promise the least error by the measure of [`support`](schuler::strapdown::block::support), gain ·
+//! The first sample of a stretch starts where no rate is known. It is extrapolated from one to four
+//! rates, as many as have the least estimated error by the measure of [`support`](schuler::strapdown::block::support), gain ·
 //! rms(∇ᵏf)/√C(2k, k). Smooth rates get a cubic (251/720·h⁵f⁗), noise the first rate alone: a cubic would
-//! make six times as much of it.
+//! amplify it six times.
 
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;

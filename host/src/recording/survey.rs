@@ -1,4 +1,4 @@
-//! A recording looked through once: its clock, its length, what is missing, what its samples support.
+//! A recording read once: its clock, its length, missing samples, and the window that its samples support.
 
 use super::Kind;
 use super::clock::{Clock, Judge};

@@ -1,5 +1,5 @@
-//! Rows in the order of time: stamps in seconds that go on where a counter came round, rows that were
-//! written twice left out, and for each how many are missing before it.
+//! Rows in the order of time: stamps in seconds that continue where a counter wrapped around, without duplicate
+//! rows, and for each the number of rows missing before it.
 
 use super::Row;
 use super::habits::Habits;

@@ -1,4 +1,4 @@
-//! The flight through a recording: samples as they come, aligned on or navigated.
+//! The flight through a recording: samples one by one, for alignment or navigation.
 
 use super::rows::Rows;
 use super::spans::{Place, Spans};

@@ -1,4 +1,4 @@
-//! What is said after a flight.
+//! The text after a flight.
 
 use super::fly::Flight;
 use super::spans::Spans;

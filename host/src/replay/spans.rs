@@ -1,4 +1,4 @@
-//! Which times of a recording are aligned on, which are flown.
+//! The spans of a recording for alignment and for navigation.
 
 use crate::cli::ReplayArgs;
 use crate::input::{Complaint, InputError};

@@ -1,4 +1,4 @@
-//! Axes: what range they span, where their ticks stand and what these are called.
+//! Axes: their ranges, ticks and labels.
 
 use super::number::printed;
 use crate::flight::Instant;

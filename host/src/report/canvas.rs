@@ -1,4 +1,4 @@
-//! What charts are drawn on. An SVG and a picture implement it, so that both show the same.
+//! The canvas of charts. An SVG and an image implement it, so that both show the same.
 
 /// A point, right and down in pixels.
 pub type Point = [f32; 2];

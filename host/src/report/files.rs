@@ -1,4 +1,4 @@
-//! The files of a flight: they take their places together when it has ended, well or not.
+//! The files of a flight: they get their names together when it has ended, with or without an error.
 
 use super::{DriftCsv, html, plot, summary};
 use crate::cli::Every;

@@ -1,4 +1,4 @@
-//! `report.html`: the run on one page that needs nothing else, not even a network.
+//! `report.html`: the run on one self-contained page that needs no network.
 
 use super::number::{Quantity, parameter, printed};
 use super::page::{self, panel};

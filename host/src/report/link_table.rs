@@ -1,4 +1,4 @@
-//! What happened on the link to a target, as a table.
+//! Errors on the link to a target, as a table.
 
 use crate::flight::{FaultCount, LinkReport, TraceCount};
 

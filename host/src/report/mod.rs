@@ -1,4 +1,4 @@
-//! What a finished run leaves behind: the drift table, `summary.json`, `drift.csv`, `drift.png`
+//! The output of a finished run: the drift table, `summary.json`, `drift.csv`, `drift.png`
 //! and `report.html`.
 //!
 //! [`drift_charts`] and [`motion_charts`] say what is drawn; [`chart`] draws it on a [`canvas`],

@@ -1,4 +1,4 @@
-//! A page that stands alone: style, palette and script inside.
+//! A self-contained page, with style, palette and script.
 
 use super::canvas::Ink;
 use super::svg::escape;

@@ -1,4 +1,4 @@
-//! Drawing into a picture, with a font that comes along.
+//! Drawing into an image, with a built-in font.
 
 use super::canvas::{Anchor, Canvas, Ink, Lettering, Point, Stroke};
 use std::io;

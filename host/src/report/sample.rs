@@ -1,4 +1,4 @@
-//! Runs made up for the tests of the report: smooth errors of a plausible size.
+//! Artificial runs for the tests of the report: smooth errors of a plausible size.
 
 use crate::flight::{Edges, Extremes, Flight, Instant, Nine, Skipped, StageTimes, Used};
 use crate::scene::{

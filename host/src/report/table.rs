@@ -1,4 +1,4 @@
-//! The drift table: errors at a dozen times beside what theory expects of them.
+//! The drift table: errors at a dozen times beside their theoretical values.
 
 use super::number::{Quantity, Unit, rounded};
 use super::{largest, norm};

@@ -1,4 +1,4 @@
-//! `--align`: level and north from a stretch at rest, with what they are worth.
+//! `--align`: level and north from a stretch at rest, with their uncertainty.
 
 use super::{warn, words};
 use crate::input::{Complaint, InputError};

@@ -1,4 +1,4 @@
-//! What a recording says where the vehicle stands still: level, north, and whether it can be right.
+//! A recording of a vehicle at rest: level, north, and whether the readings are plausible.
 
 pub mod align;
 pub mod opening;

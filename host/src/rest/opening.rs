@@ -1,8 +1,8 @@
-//! The first seconds of a flight that is not aligned: where the vehicle stands still, it is known what
-//! it should read, and a recording in other units is refused before it falls.
+//! The first seconds of a flight without alignment. If the vehicle is at rest, its readings are known, and a
+//! recording in other units is refused before the flight diverges.
 //!
-//! A vehicle may start in any motion. So only readings that stay as they are count as still, only what
-//! a unit or a sign explains is refused, and only what scatters like noise is warned of.
+//! A vehicle may start in any motion. So only steady readings count as rest, only errors that a unit or a sign
+//! explains are refused, and only readings that scatter like noise lead to a warning.
 
 use super::align::{NOTICED_FORCE, down_b, faces_away};
 use super::{warn, words};

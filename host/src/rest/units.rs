@@ -1,4 +1,4 @@
-//! `--units`: what the numbers of a recording are in, where that is not rad/s and m/s².
+//! `--units`: the units of a recording, if they are not rad/s and m/s².
 
 use crate::input::Complaint;
 use schuler::alignment::units::{ForceUnit, Kind, RateUnit};

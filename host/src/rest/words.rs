@@ -1,4 +1,4 @@
-//! What readings at rest contradict, in words: the number, what it looks like, what would mend it.
+//! Contradictions of readings at rest, in words: the number, the likely cause, and a remedy.
 
 use super::units::{force_name, rate_name};
 use crate::input::Complaint;

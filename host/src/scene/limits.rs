@@ -1,4 +1,4 @@
-//! What a scene may ask for: the same limits for its file and for the command line.
+//! The limits of a scene, the same for its file and for the command line.
 
 use super::build::HARMONICS;
 use super::{Channel, Scene, Trajectory, WindowShape};

@@ -1,4 +1,4 @@
-//! A scene: what flies, what the sensors get wrong, how it is navigated. All in SI units.
+//! A scene: the flight, the sensor errors and the navigation, in SI units.
 //!
 //! `parse` reads it from TOML, `builtin` holds the scenes that come with the program.
 

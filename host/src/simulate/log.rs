@@ -1,4 +1,4 @@
-//! What is kept of a run: extremes over every instant, and some instants for curves.
+//! The log of a run: extremes over every instant, and some instants for curves.
 
 use crate::flight::{Extremes, Instant, Nine};
 use crate::high::Highest;

@@ -1,4 +1,4 @@
-//! What a run is flown with.
+//! The trajectory, sensors and navigator of a run.
 
 use super::Refused;
 use crate::navigator::{Navigate, Reader};

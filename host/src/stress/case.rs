@@ -1,4 +1,4 @@
-//! What the table is made of: cases, each with the checks that it comes to.
+//! The entries of the table: cases with their checks.
 
 use crate::progress::CaseProgress;
 use std::fmt;

@@ -1,7 +1,7 @@
 //! Bounds that follow from the arithmetic, the sampling and the Earth.
 //!
-//! Every one but [`SCENE_M`] is a closed form with the number of roundings that it counts stated; none
-//! is fitted to what is measured.
+//! Each except [`SCENE_M`] is a closed form with a stated number of roundings; none
+//! is fitted to measurements.
 
 use crate::simulate::largest;
 use crate::source::Source;

@@ -1,4 +1,4 @@
-//! The link: samples that come early or late, or not at all.
+//! The link: samples that are early, late or lost.
 
 use super::case::{Case, Check, Outcome};
 use super::floor;

@@ -8,12 +8,12 @@
 //! | `time` | long runs, the free vertical, step sizes |
 //! | `link` | jitter and loss |
 //! | `motion` | fast rotation, large acceleration, tumbling, coning, sculling |
-//! | `residual` | what a window leaves of a cone, by its own interpolation |
+//! | `residual` | the error of a window on a cone, from its interpolation |
 //! | `place` | poles, antimeridian, equator, heights |
 //! | `numbers` | zeros, subnormals, no rotation |
-//! | `refused` | what cannot be right |
+//! | `refused` | input that cannot be right |
 //! | `stochastic` | a scalar that rounds at random |
-//! | `rounding` | how many digits that leaves trustworthy |
+//! | `rounding` | how many digits are trustworthy |
 //! | `aged` | states stored late, sums of many terms |
 //! | `unresolved` | motion that the sampling does not resolve, noise, coarse steps |
 //! | `fuzz` | random scenes: the plan against every window |

@@ -1,4 +1,4 @@
-//! What cannot be right: refused with its kind, and no bit of a state moves.
+//! Input that cannot be right: it is refused with the right error, and no bit of a state changes.
 
 use super::case::{Case, Check, Outcome};
 use super::floor;

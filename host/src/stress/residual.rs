@@ -1,5 +1,5 @@
-//! What a window leaves of pure coning and sculling, to second order in the amplitude, from its
-//! interpolation and the end of its series alone: no code of the navigator's has a part in it.
+//! The error of a window in pure coning and sculling, to second order in the amplitude, from its
+//! interpolation and the truncation of its series alone, without code of the navigator.
 //!
 //! A window passes on the integral over every sample exactly, so the first order is exact, too. To
 //! second order a rotation F = e^{iβt} (one sample is 1 in t) drifts by ½Im∫F*F′ about the third axis. A

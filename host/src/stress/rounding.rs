@@ -1,5 +1,5 @@
-//! Rounding: the same flight with every operation rounded at random, seed after seed. How far the runs
-//! lie apart tells how many digits of each output are trustworthy.
+//! Rounding: the same flight with every operation rounded at random, for many seeds. The spread of the runs
+//! shows how many digits of each output are trustworthy.
 //!
 //! A sum that rounds at random has a spread of ulp/√6 on average, and n of them of √(n/6) ulps. Compensated
 //! sums carry more than a double prints, so theirs may exceed sixteen digits: what is left there is the

@@ -1,4 +1,4 @@
-//! Random words that are cheap: Steele, Lea and Flood's SplitMix64.
+//! Fast random words: SplitMix64 of Steele, Lea and Flood.
 
 /// The state's step: 2⁶⁴ over the golden ratio.
 pub const STEP: u64 = 0x9e37_79b9_7f4a_7c15;

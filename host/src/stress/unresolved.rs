@@ -1,4 +1,4 @@
-//! Motion that the sampling does not resolve, noise and coarse steps: no window may throw a flight.
+//! Motion that the sampling does not resolve, noise and coarse steps: no window may spoil a flight.
 
 use super::case::{Case, Check, Outcome};
 use super::floor;

@@ -1,4 +1,4 @@
-//! What a scene's theory is integrated along: the true motion, and the sources of error.
+//! The input to a scene's theory: the true motion and the sources of error.
 
 use super::sources::{SENSORS, Sources, unit};
 use super::steps;

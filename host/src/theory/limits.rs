@@ -1,4 +1,4 @@
-//! Where the linear error model ends: errors too large for it, and steps too coarse.
+//! Limits of the linear error model: errors that are too large, and quantization that is too coarse.
 
 use super::moments::Moments;
 use super::sources::{SENSORS, Sources};

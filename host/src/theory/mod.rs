@@ -1,10 +1,10 @@
-//! What the linear error model expects of a scene: mean and covariance of its drift.
+//! The drift of a scene by the linear error model: mean and covariance.
 //!
 //! Along the true motion, small errors obey ẋ = F x + G u (`schuler::drift::linear`). Systematic
-//! sensor errors and initial errors move the mean, random ones the covariance. Outside the linear
-//! model, and so left out: saturation, samples lost or late on the link, steps of quantization so
-//! coarse that the signal does not cross several of them per sample, and errors too large for it.
-//! [`Theory::outside`] tells when the model has ended.
+//! sensor errors and initial errors determine the mean, random ones the covariance. The linear model does
+//! not include saturation, samples lost or late on the link, quantization so coarse that the signal does not
+//! cross several steps per sample, and errors that are too large.
+//! [`Theory::outside`] tells when the model no longer applies.
 
 mod course;
 mod limits;

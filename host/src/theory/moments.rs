@@ -1,7 +1,7 @@
 //! Mean and covariance of the error state, and their differential equations.
 //!
-//! Sensor errors are independent scalars for ever, so their own covariance is known in closed form;
-//! only the covariance with the navigation errors is integrated, nine numbers for each.
+//! Sensor errors stay independent scalars, so their own covariance is known in closed form. Only their
+//! covariance with the navigation errors is integrated, nine numbers for each.
 
 use super::course::{Course, Covariance, Instant};
 use super::sources::{SENSORS, Sources, unit};

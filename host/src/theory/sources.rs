@@ -1,5 +1,5 @@
-//! A scene's sensor errors as the linear model takes them: a systematic part that moves the mean, and
-//! independent scalar processes that move the covariance.
+//! A scene's sensor errors in the linear model: a systematic part that determines the mean, and
+//! independent scalar processes that determine the covariance.
 
 use crate::scene::{Scene, SensorErrors};
 use schuler::math::vector::Vector;

@@ -1,23 +1,23 @@
-//! How state variables are summed up: plainly, with what rounding drops, or with two-float increments.
+//! How state variables are summed: plainly, with compensation, or with two-float increments.
 
 use super::super::quaternion::Quaternion;
 use super::super::real::Real;
 use super::super::vector::Vector;
 use super::{Pair, two_sum};
 
-/// How a state variable is summed up: compensation is a type.
+/// How a state variable is summed: the type decides about compensation.
 pub trait Accumulate: Send + Copy {
     /// The scalar that it sums.
     type Real: Real;
     /// From a number and its remainder.
     fn from_pair(x: Pair<Self::Real>) -> Self;
-    /// With what is known of the remainder.
+    /// With the remainder, as far as it is known.
     fn pair(self) -> Pair<Self::Real>;
     /// The leading part: what products read.
     fn value(self) -> Self::Real;
     /// The trailing part.
     fn remainder(self) -> Self::Real;
-    /// Whether the products that matter are carried to twice the digits, too.
+    /// Whether the products that matter are carried to twice the digits as well.
     const TWO_FLOAT: bool = false;
     /// `yes` where the mask holds, else `no`, to the last bit.
     #[inline(always)]
@@ -90,7 +90,7 @@ impl<R: Real> Accumulate for Pair<R> {
     }
 }
 
-/// A compensated sum whose increments come with their own remainders: f32 that is good to millimetres.
+/// A compensated sum whose increments have remainders of their own: `f32` navigation to millimetres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TwoFloat<R>(pub Pair<R>);
@@ -144,7 +144,7 @@ impl<S: Accumulate> Vector<S> {
         self.z.add_pair(d.z);
     }
 
-    /// What a product with a fraction of a pair owes to the remainders of both.
+    /// What the remainders of both factors contribute to the product with a fraction of a pair.
     #[inline(always)]
     pub fn low_product(&self, factor: Pair<S::Real>, fraction: S::Real) -> Vector<S::Real> {
         let (hi, lo) = (factor.hi * fraction, factor.lo * fraction);
@@ -165,14 +165,14 @@ impl<S: Accumulate> Vector<S> {
     }
 }
 
-/// By how much |q|² may be off 1 before an attitude is brought back: some ulps, so that rounding alone
+/// By how much |q|² may differ from 1 before an attitude is normalised: some ulps, so that rounding alone
 /// does not count, and a flight that hardly turns keeps its bits.
 fn longest_excess<R: Real>() -> R {
     R::entry(2e-6, 4e-15)
 }
 
 impl<S: Accumulate> Quaternion<S> {
-    /// Brings an attitude back to unit length where the rounding of many turns has added up.
+    /// Brings an attitude back to unit length when the rounding of many turns has accumulated.
     #[inline(always)]
     pub fn keep_unit(&mut self) {
         let q = self.value();

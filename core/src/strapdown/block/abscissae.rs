@@ -1,9 +1,9 @@
-//! Fit of a window whose samples differ in length, on their real abscissae.
+//! Fit of a window whose samples differ in length, at their true abscissae.
 //!
 //! σ ∈ [−1, 1] spans the block of duration T, and sample j is [σⱼ, σⱼ₊₁], 2/T times its interval long.
 //! F(σ) = ∫ w dσ is known at the edges σⱼ, up to a constant: Newton's polynomial through them has
 //! w(σ) = F′(σ). Its divided differences begin with the samples' mean rates, so that nothing cancels
-//! where the rate is steady, and its nodes go from the block's middle outwards.
+//! if the rate is steady, and its nodes are taken from the block's middle outwards.
 
 use super::fit::{Fit, MOST_SAMPLES, each};
 use crate::math::compensated::{Pair, two_product};
@@ -12,12 +12,12 @@ use crate::math::real::Twin as _;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 
-/// Samples of intervals of their own about a block.
+/// Samples with their own intervals about a block.
 #[derive(Clone, Copy)]
 pub(crate) struct Spaced<'a, R: Real> {
     /// The window's samples.
     pub samples: &'a [Increment<R>],
-    /// What their intervals exceed the nominal one by, s.
+    /// Their intervals less the nominal one, s.
     pub excess: &'a [R],
     /// The nominal interval, s.
     pub interval_s: Pair<R>,
@@ -38,8 +38,8 @@ impl<'a, R: Real> Spaced<'a, R> {
         self.excess.iter().take(MOST_SPACED).map(width)
     }
 
-    /// The mean rate over the block, and of each sample its length with what it is beyond that rate: of
-    /// steady motion next to nothing, which then has nothing to round.
+    /// The mean rate over the block, and for each sample its length and its increment less that rate times the
+    /// length. In steady motion this is almost nothing, so there is nothing to round.
     fn varying(self) -> (Increment<R>, impl Iterator<Item = (R, [R::Twin; 3])> + use<'a, R>) {
         let mut sum = Increment::ZERO;
         for sample in self.samples.iter().skip(self.history).take(self.block) {
@@ -83,8 +83,8 @@ impl<'a, R: Real> Spaced<'a, R> {
         !R::any((least * R::of(MOST_UNEVEN)).less(most))
     }
 
-    /// The polynomial through the samples; `near`, and where their lengths differ too much for that, the
-    /// block's own straight line or parabola by least squares.
+    /// The polynomial through the samples. For `near`, and if their lengths differ too much, a straight line or
+    /// parabola through the block's own samples by least squares.
     #[inline(never)]
     pub fn fit(self, near: Option<usize>) -> Fit<R, MOST_SAMPLES> {
         match near {
@@ -160,11 +160,11 @@ impl<'a, R: Real> Spaced<'a, R> {
         fit_about(&mean, rates.map(|(power, k)| power.map(|x| x * R::Twin::both(R::count(k)))))
     }
 
-    /// Drops the terms that samples beside the block add where they do not add less and less: the motion
-    /// is not resolved there, and its samples would throw the fit off as noise does.
+    /// Drops terms from samples beside the block if they do not become smaller and smaller: the motion is then
+    /// not resolved, and those samples would disturb the fit as noise does.
     fn drop_unsupported(self, newton: &mut [([R::Twin; 3], R)]) {
         // The n-th term's share of the rate, cₙ d/dσ Π(σ − xᵢ), is cₙ Π_{i≠m}(xₘ − xᵢ) at its edge xₘ.
-        // The first share is what the mean rate left of the first sample: it measures nothing.
+        // The first share is the rest of the first sample beside the mean rate: it is no measure.
         let unknown = (R::of(1e30), R::of(1e30));
         let mut before = [unknown; 2];
         let mut dropped = (false, false);
@@ -195,7 +195,7 @@ impl<'a, R: Real> Spaced<'a, R> {
         }
     }
 
-    /// The straight line or parabola nearest to the samples, each weighted by 1/its length: it keeps
+    /// The straight line or parabola by least squares, each sample weighted by 1/its length. It preserves
     /// their sum.
     fn least_squares(self, coefficients: usize) -> Fit<R, MOST_SAMPLES> {
         // In 1, σ and σ² − ⅓, whose integrals over the sample from −δ/2 to δ/2 about m are δ, δm and
@@ -218,7 +218,7 @@ impl<'a, R: Real> Spaced<'a, R> {
             bend = each(bend, sample, |sum, x| sum + x * q);
             edge = edge + width;
         }
-        // Of fewer samples than coefficients, the constant or the line through them.
+        // With fewer samples than coefficients, the constant or the line through them.
         let lines = self.samples.len().min(coefficients);
         if lines < 3 {
             (g12, g22, bend) = (R::ZERO, R::ONE, none);
@@ -257,6 +257,6 @@ fn fit_about<R: Real>(
 /// Most samples of a block, and of a window.
 const MOST_SPACED: usize = 64;
 
-/// How many times as long as another sample of the block one may be where a polynomial goes through them
-/// all: beyond, what the short samples say is extrapolated far into the long one.
+/// The largest ratio of sample lengths in a block for which a polynomial through all samples is used: beyond
+/// it, the short samples would be extrapolated far into the long one.
 const MOST_UNEVEN: f64 = 8.0;

@@ -1,18 +1,18 @@
-//! What makes the samples of a stream alike: errors that its blocks would repeat are made good.
+//! A correction that makes all samples count alike, so that blocks do not repeat an error.
 //!
-//! A block of B samples meets a motion of k/B cycles per sample, and every two motions whose frequencies add
-//! up to that, in the same phases each time. What its polynomial errs by then adds up instead of averaging: a
-//! cone of 4 samples per cycle leaves a tilt, so does one of 6 with its own second harmonic. Were each sample
-//! fitted in the same way, that would be left to k cycles per sample. So each block corrects the four samples
-//! about its start, −2 ≤ t ≤ 2 in samples, as if each had the polynomial through the P + 1 samples centred on
-//! it. With F_m the integral of the polynomial through the P samples from m on, 0 the first of the block, and
-//! ∇ᴾx_m over the samples m to m + P,
+//! A block of B samples always meets a motion of k/B cycles per sample in the same phase, and likewise two
+//! motions whose frequencies add up to that. The errors of its polynomials then accumulate instead of averaging
+//! out: a cone of 4 samples per cycle leaves a tilt, and so does a cone of 6 with its own second harmonic. If
+//! every sample were fitted in the same way, this would happen only at k cycles per sample. So each block corrects
+//! the four samples about its start, −2 ≤ t ≤ 2 in samples, as if each had the polynomial through the P + 1 samples
+//! centred on it. With F_m the integral of the polynomial through the P samples from m on (0 is the first of the
+//! block) and ∇ᴾx_m over the samples m to m + P,
 //!
-//!   F_{m+1} − F_m = ∇ᴾx_m Π_{i=1…P}(t − m − i)/P!        as both meet the edges m + 1 … m + P, and
-//!   F − F_m = ∇ᴾx_m Π_{i=0…P}(t − m − i)/(P + 1)!         for that through one sample more, m = j − P/2.
+//!   F_{m+1} − F_m = ∇ᴾx_m Π_{i=1…P}(t − m − i)/P!        as both agree at the edges m + 1 … m + P, and
+//!   F − F_m = ∇ᴾx_m Π_{i=0…P}(t − m − i)/(P + 1)!         for F through one sample more, m = j − P/2.
 //!
-//! Their sum from F_{−H−B} (j < 0) or F_{−H} (j ≥ 0) on is χ, by which the angle within sample j was off. It is
-//! 0 at the edges, so that to its first order the block before and this one lack
+//! Their sum from F_{−H−B} (j < 0) or F_{−H} (j ≥ 0) on is χ, the error of the angle within sample j. It is
+//! 0 at the edges, so to first order the block before and this one lack
 //!
 //!   δθ = ∫χ_θ × ω dt,  δv = ∫(χ_θ × f + χ_v × ω) dt,
 //!
@@ -21,15 +21,15 @@
 //!
 //!   S₀ × (difference 0) + S₁ × (difference 1) + D₀ × (sum 0) + D₁ × (sum 1),
 //!
-//! S_i a linear function of all sums, D_i of all differences. In smooth motion it is of the order of the fit's
-//! own error, which it lessens.
+//! S_i a linear function of all sums, D_i of all differences. In smooth motion the correction is of the order of
+//! the fit's own error, which it reduces.
 
 use super::fit::{each, rounded};
 use crate::math::real::Real;
 use crate::math::real::Twin as _;
 use crate::sample::Increment;
 
-/// Samples of a block: as many before its window are looked at.
+/// Samples of a block; as many samples before its window are used.
 pub const BLOCK: usize = 4;
 /// Samples on either side of the block's start that are corrected.
 const SIDE: usize = BLOCK / 2;
@@ -38,7 +38,7 @@ const ROOM: usize = 18;
 /// The least common multiple of 1 … 17.
 const MULTIPLE: i128 = 12_252_240;
 
-/// What sums and differences of M pairs of opposite samples weigh.
+/// The weights of the sums and differences of M pairs of opposite samples.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Weights<T, const M: usize> {
@@ -91,7 +91,7 @@ pub const fn weights_f32<const M: usize>() -> Weights<f32, M> {
     weights
 }
 
-/// What the sample k − M weighs in X_i = ∫χ ℓ_i dt, ℓ_i the cubic with the increment 1 over sample i and 0
+/// The weight of sample k − M in X_i = ∫χ ℓ_i dt, ℓ_i the cubic with the increment 1 over sample i and 0
 /// over the other three.
 #[expect(
     clippy::indexing_slicing,
@@ -112,7 +112,7 @@ const fn table<const M: usize>() -> ([[i128; 2 * ROOM]; SIDE], i128) {
         let cubic = cubic(i as i128);
         let mut j = -(SIDE as i128);
         while j < SIDE as i128 {
-            // The polynomial that sample j was integrated by begins H before its block.
+            // The polynomial of sample j begins H samples before its block.
             let begun = if j < 0 { -(M as i128) } else { BLOCK as i128 - M as i128 };
             let mut m = begun;
             while m != j - half {
@@ -129,7 +129,7 @@ const fn table<const M: usize>() -> ([[i128; 2 * ROOM]; SIDE], i128) {
         }
         i += 1;
     }
-    // Of the cubic, of the products and of the integrals.
+    // The denominators of the cubic, the products and the integrals.
     (table, 24 * factorial * MULTIPLE)
 }
 
@@ -193,7 +193,7 @@ const fn times(polynomial: &[i128; ROOM], n: i128) -> [i128; ROOM] {
     product
 }
 
-/// A polynomial times Π(t − n) over so many n from the first on.
+/// A polynomial times Π(t − n) over `count` values of n from the first on.
 const fn multiplied(polynomial: &[i128; ROOM], first: i128, count: usize) -> [i128; ROOM] {
     let mut product = *polynomial;
     let mut n = 0;
@@ -221,7 +221,7 @@ const fn integral(polynomial: &[i128; ROOM], j: i128) -> i128 {
     sum
 }
 
-/// δθ and δv, from the window's samples and the block's length of them before.
+/// δθ and δv, from the window's samples and as many samples before it as a block has.
 #[inline(always)]
 #[expect(
     clippy::indexing_slicing,

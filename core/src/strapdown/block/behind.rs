@@ -1,9 +1,9 @@
-//! Fit of a window that looks back alone, block after block, through as many samples as they support.
+//! Fit of a window without look-ahead, through as many samples as the motion supports.
 //!
 //! With t in samples, 0 at the block's end, t = ½B(σ − 1) in the block, the polynomial through the newest P
 //! samples is w(σ) = Σ_m ∇ᵐx₀ T_m(σ), T_m = d/dσ [t(t + 1)…(t + m)/(m + 1)!], m < P. Every P from B up to
 //! the window's own is a candidate; the one whose estimated error is least (see `support`) is taken, for
-//! gyros and accelerometers each, by leaving the differences beyond it out.
+//! gyros and accelerometers separately, by leaving out the differences beyond it.
 
 use super::fit::{Fit, each, narrowed, rounded};
 use super::gain::by_history;
@@ -14,7 +14,7 @@ use crate::math::real::Twin as _;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 
-/// Samples that a window is judged by.
+/// Samples from which the number to use is estimated.
 pub const SEEN: usize = 12;
 
 /// The coefficients of T_m at index m, in double precision.
@@ -51,7 +51,7 @@ pub const fn table_f32<const P: usize>(block: usize) -> [[f32; P]; P] {
     narrowed(&table_f64::<P>(block))
 }
 
-/// What the sum of |∇ᵏx|² over the samples seen weighs in the estimated error of k samples, at index
+/// The weight of the sum of |∇ᵏx|² over the samples seen in the estimated error of k samples, at index
 /// k − B: gain²/((SEEN − k) C(2k, k)).
 #[expect(
     clippy::indexing_slicing,
@@ -69,7 +69,7 @@ pub const fn weights<const P: usize>(block: usize) -> [f32; P] {
     weights
 }
 
-/// The fit of the newest `block` samples through P at most, and how many were used.
+/// The fit of the newest `block` samples through at most P samples, and the number used.
 #[inline(always)]
 #[expect(
     clippy::indexing_slicing,

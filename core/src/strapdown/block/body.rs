@@ -1,9 +1,28 @@
 //! The body step: rotation, velocity and position increments of one block, in body axes.
 //!
 //! From the fitted rates w(σ), f(σ) a power series about the block's centre solves
-//! q′ = ½ q ⊗ w, U′ = f − w × U, D′ = U − w × D; no trigonometry and no iteration. The sums of the
-//! increments enter once, as they are, and the polynomials only add what rotation does to them: that
-//! keeps single precision from losing what the sensor delivered.
+//! q′ = ½ q ⊗ w, U′ = f − w × U, D′ = U − w × D, without trigonometry and without iteration. The sums of the
+//! increments enter once, as they are, and the polynomials only add the effect of rotation. So single
+//! precision loses nothing of what the sensor delivered.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::body::{Sum, integrate};
+//! use schuler::strapdown::block::fit::Fit;
+//!
+//! // A quarter turn about the third axis in one second, under a steady force along the first.
+//! let quarter = core::f64::consts::FRAC_PI_2;
+//! let sample = Increment {
+//!     angle_b: Vector::new(0.0, 0.0, quarter / 4.0),
+//!     velocity_b: Vector::new(0.25, 0.0, 0.0),
+//! };
+//! let (fit, _) = Fit::<f64, 4>::from_any(&[sample; 4], 0, 4);
+//! let (body, _) = integrate::<f64, 4, 23>(&fit, &Sum::plain(&[sample; 4]), 0.5, 22);
+//! // u = ∫(cos ωt, sin ωt) dt = (1, 1)/ω
+//! let expected = Vector::new(1.0 / quarter, 1.0 / quarter, 0.0);
+//! assert!((body.velocity - expected).norm() < 1e-14);
+//! ```
 
 use super::fit::Fit;
 use super::series::Series;
@@ -14,17 +33,17 @@ use crate::math::real::Twin as _;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 
-/// What a block, or its first part, does to a body that starts at rest.
+/// The motion over a block, or its first part, of a body that starts at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BodyMotion<R> {
     /// Rotation end → start, less one: e = q_bb − 1.
     pub rotation: Quaternion<R>,
-    /// What rounding drops from its vector part; 0 unless two-float numbers are asked for.
+    /// The part of its vector that rounding drops; 0 without two-float products.
     pub rotation_low: Vector<R>,
     /// u = ∫ C f dt in the axes at the start, m/s.
     pub velocity: Vector<R>,
-    /// What rounding drops from it.
+    /// The part that rounding drops from it.
     pub velocity_low: Vector<R>,
     /// s = ∬ C f dt² in the axes at the start, m.
     pub position: Vector<R>,
@@ -43,13 +62,13 @@ pub struct Sum<R> {
 }
 
 impl<R: Real> Sum<R> {
-    /// A sum that was rounded.
+    /// From a sum that is rounded.
     #[inline(always)]
     pub fn rounded(increment: Increment<R>) -> Self {
         Self { increment, low: Increment::ZERO, two_float: false }
     }
 
-    /// The sum of increments as it is rounded.
+    /// The sum of increments, rounded.
     #[inline(always)]
     pub fn plain(samples: &[Increment<R>]) -> Self {
         let mut sum = Increment::ZERO;
@@ -60,7 +79,7 @@ impl<R: Real> Sum<R> {
         Self::rounded(sum)
     }
 
-    /// And something small.
+    /// With something small added.
     #[inline(always)]
     pub fn and(self, small: &Increment<R>) -> Self {
         let add = |to: Increment<R>| Increment {
@@ -74,7 +93,7 @@ impl<R: Real> Sum<R> {
         }
     }
 
-    /// The sum of increments with what rounding drops.
+    /// The sum of increments with the part that rounding drops.
     #[inline(always)]
     pub fn exact(samples: &[Increment<R>]) -> Self {
         let (mut increment, mut low) = (Increment::ZERO, Increment::ZERO);
@@ -114,7 +133,7 @@ pub fn integrate<R: Real, const K: usize, const N: usize>(
     let half_sum = sum.increment.angle_b * R::HALF;
     let scalar = a.w + a.w + (a.dot(a) - b.dot(b));
     let (e, rotation_low) = if sum.two_float {
-        // Normalising shrinks the remainder, not the rotation itself.
+        // Normalisation changes the remainder, not the rounded rotation.
         let (v, low) = two_sums(half_sum, bent + bent);
         let k = Quaternion::new(scalar, v).excess();
         let low = low + sum.low.angle_b * R::HALF - v * k;
@@ -137,7 +156,7 @@ pub fn integrate<R: Real, const K: usize, const N: usize>(
     let straight = odd.position() + odd.velocity() - even.velocity();
     let position = (straight + straight + turned.map(|c| c.parts().1)) * half_time_s;
     // ∫s over the block, of s₀ = 0, s at the middle −(T/2)(D₋ + U₋), and s and ṡ = u at the end: with
-    // s = ṡ = 0 at the start, ∫s = T(⁷⁄₃₀s + ⁸⁄₁₅s_mid − ¹⁄₆₀Tu) is exact to t⁵ (quintic Hermite).
+    // s = ṡ = 0 at the start, ∫s = T(⁷⁄₃₀s + ⁸⁄₁₅s_mid − ¹⁄₆₀Tu) is exact to t⁵ (quartic Hermite).
     let middle = odd.position() + odd.velocity() - even.position() - even.velocity();
     let weighed = position * R::of(7.0 / 30.0)
         + (middle * R::of(8.0 / 15.0) - velocity * R::of(1.0 / 30.0)) * half_time_s;

@@ -3,15 +3,26 @@
 //! σ ∈ [−1, 1] spans the block of B samples; sample j is [aⱼ, bⱼ] = −1 + 2[j − H, j − H + 1]/B.
 //! w(σ) = Σ w_k σᵏ is the angular rate per unit of σ whose integral over every sample is that sample's
 //! increment: w_k = Σⱼ A_kj Δθⱼ, A the inverse of B_jk = (bⱼᵏ⁺¹ − aⱼᵏ⁺¹)/(k + 1); likewise f_k from Δvⱼ.
-//! A is exact: integers from Lagrange's basis over the sample edges, and one division per entry.
-//! For slow motion a line or a parabola does for a long block: see `least_squares`.
+//! Each entry of A is a ratio of integers, from Lagrange's basis over the sample edges, divided once.
+//! For slow motion a line or a parabola over a long block is enough: see [`least_squares`](super::least_squares).
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::fit::Fit;
+//!
+//! // Two samples of a rate that grows: over σ ∈ [−1, 1] the rate is 1.5 + σ.
+//! let sample = |x: f64| Increment { angle_b: Vector::new(x, 0.0, 0.0), velocity_b: Vector::ZERO };
+//! let (fit, sum) = Fit::<f64, 2>::from_any(&[sample(1.0), sample(2.0)], 0, 2);
+//! assert_eq!((fit.rate[0].x, fit.rate[1].x, sum.angle_b.x), (1.5, 1.0, 3.0));
+//! ```
 
 use crate::math::real::Real;
 use crate::math::real::Twin as _;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 
-/// Samples in the windows of the last blocks of a stream that lines or parabolas were fitted to.
+/// Samples in the windows of a stream's last blocks, if lines or parabolas are fitted to the others.
 pub const LINE_LAST_SAMPLES: usize = 8;
 
 /// Most samples that a window may interpolate.
@@ -34,8 +45,8 @@ pub(crate) fn each<T: Copy>(a: [T; 3], b: [T; 3], f: impl Fn(T, T) -> T) -> [T; 
 }
 
 impl<R: Real, const K: usize> Fit<R, K> {
-    /// Of `P` samples, by a table in either precision, with the sum of the block that follows `history`
-    /// samples; a window is `symmetric` if as many follow the block.
+    /// The fit to `P` samples, by a table in either precision, with the sum of the block that follows `history`
+    /// samples. A window is symmetric if as many samples follow the block.
     #[inline(always)]
     #[expect(
         clippy::indexing_slicing,
@@ -50,7 +61,7 @@ impl<R: Real, const K: usize> Fit<R, K> {
     ) -> (Self, Increment<R>) {
         let none = [R::Twin::both(R::ZERO); 3];
         let mut fit = Self { rate: [Vector::ZERO; K], force: [Vector::ZERO; K] };
-        // A_k,P−1−j = (−1)ᵏ A_kj in a symmetric window: even coefficients see the sums of opposite
+        // A_k,P−1−j = (−1)ᵏ A_kj in a symmetric window: even coefficients use the sums of opposite
         // samples, odd ones their differences.
         let mut sums = [none; MOST_SAMPLES / 2];
         let mut differences = sums;
@@ -86,7 +97,7 @@ impl<R: Real, const K: usize> Fit<R, K> {
         (fit, Increment::from_twins(sum))
     }
 
-    /// Of any number of samples up to `K`, with the table worked out on the spot, and the block's sum.
+    /// The fit to any number of samples up to `K`, with a table computed at run time, and the block's sum.
     pub fn from_any(
         samples: &[Increment<R>],
         history: usize,
@@ -183,7 +194,7 @@ impl Table {
             let sign = if (p - m).is_multiple_of(2) { 1 } else { -1 };
             let mut scale = sign * binomial;
             let mut k = 0;
-            // What exceeds the table's size cannot be, but the compiler would have to know.
+            // The second condition always holds; it lets the compiler drop the bounds checks.
             while k < p && k < MOST_SAMPLES {
                 scale *= b as i128;
                 let share = scale * product[k + 1] * (k + 1) as i128;

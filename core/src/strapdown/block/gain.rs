@@ -1,23 +1,25 @@
-//! What a window makes of noise: the gain from white noise in the samples to the fitted rate.
+//! The noise gain of a window: from white noise in the samples to the fitted rate.
 //!
 //! With t in samples, 0 at the window's newest edge, the polynomial through P increments x₀ (the newest),
 //! x₁, x₂ … is Newton's, w(t) = Σ_m ∇ᵐx₀ N_m(t), N_m = d/dt [t(t + 1)…(t + m)/(m + 1)!], m < P.
 //! As ∇ᵐx₀ = Σⱼ (−1)ʲ C(m, j) xⱼ, sample j weighs r_j(t) = Σ_m (−1)ʲ C(m, j) N_m(t), and the gain is
-//! gain² = (1/B) ∫ Σⱼ r_j² dt over the block: 1 for a sample's own rate, 1.1 for a window with as much
-//! history as look-ahead, 3 to 72 for a block at the end of a long one.
+//! gain² = (1/B) ∫ Σⱼ r_j² dt over the block. The gain is 1 for a single sample, 1.1 for a window with as much
+//! history as look-ahead, and 3 to 72 for a block at the end of a long window.
 
 use super::fit::MOST_SAMPLES;
 use super::shape::WindowShape;
 
-/// gain² of the window that interpolates `shape`'s samples; infinite where they are more than
-/// [`MOST_SAMPLES`] or no block.
+/// gain² of the window that interpolates `shape`'s samples; infinite if they are more than
+/// [`MOST_SAMPLES`], or if there is no block.
 ///
 /// ```
-/// # use schuler::strapdown::block::gain::gain_squared;
-/// let gain = |shape| f64::sqrt(gain_squared(shape));
-/// assert!((gain((0, 1, 0)) - 1.0).abs() < 1e-12);
-/// assert!((gain((2, 4, 2)) - 1.14).abs() < 0.01);
-/// assert!((gain((0, 4, 10)) - 72.0).abs() < 1.0);
+/// # use schuler::strapdown::block::{gain::gain_squared, shape::WindowShape};
+/// let gain = |history, block, lookahead| {
+///     f64::sqrt(gain_squared(WindowShape::new(history, block, lookahead)))
+/// };
+/// assert!((gain(0, 1, 0) - 1.0).abs() < 1e-12);
+/// assert!((gain(2, 4, 2) - 1.14).abs() < 0.01);
+/// assert!((gain(0, 4, 10) - 72.0).abs() < 1.0);
 /// ```
 #[expect(
     clippy::indexing_slicing,

@@ -1,6 +1,22 @@
-//! Inside a block: its series evaluated where a row is read.
+//! Rows inside a block, by evaluating its series.
 //!
-//! Even and odd powers are summed apart, so that one evaluation serves σ and −σ.
+//! Even and odd powers are summed separately, so that one evaluation serves σ and −σ.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::body::{Sum, integrate};
+//! use schuler::strapdown::block::fit::Fit;
+//! use schuler::strapdown::block::inside::BlockSeries;
+//!
+//! // A steady force for one second: after half of it u is half of the whole, s a quarter.
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.25, 0.0, 0.0) };
+//! let (fit, _) = Fit::<f64, 4>::of_any(&[sample; 4], 0, 4);
+//! let (body, series) = integrate::<f64, 4, 11>(&fit, &Sum::plain(&[sample; 4]), 0.5, 10);
+//! let half = series.until(0.0, 0.5);
+//! assert!((half.velocity.x - 0.5 * body.velocity.x).abs() < 1e-15);
+//! assert!((half.position.x - 0.25 * body.position.x).abs() < 1e-15);
+//! ```
 
 use super::body::BodyMotion;
 use super::series::{Series, Term};
@@ -36,7 +52,7 @@ impl<R: Real> Default for Mirror<R> {
 pub trait BlockSeries<R: Real> {
     /// The motion from the block's start to σ in (−1, 1).
     fn until(&self, sigma: R, half_time_s: R) -> BodyMotion<R>;
-    /// The motion up to a row of so many in the block; rows are asked for in their order.
+    /// The motion up to a row, by its number and the number of rows in the block, in rising order.
     fn until_row(
         &self,
         row: usize,

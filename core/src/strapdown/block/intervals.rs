@@ -1,28 +1,28 @@
-//! How the intervals of the samples in a window are kept: not at all, or one by one.
+//! The intervals of the samples in a window: not stored, or stored one by one.
 
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::record::Record;
 
-/// How the intervals of the stored samples are kept: not at all, or one by one.
+/// Storage of the intervals of the stored samples: none, or one by one.
 pub trait Intervals<R: Real>: Copy + Send {
     /// All of them nominal.
     fn nominal() -> Self;
-    /// What the stored samples' intervals exceed the nominal one by, s; nothing where none can.
+    /// The stored samples' intervals less the nominal one, s; empty if all are nominal.
     fn excess(&self) -> &[R];
-    /// The same, to be written.
+    /// The same, to write.
     fn excess_mut(&mut self) -> &mut [R];
-    /// What an interval exceeds the nominal one by, rounded; what that drops goes to the next one.
+    /// An interval less the nominal one, rounded; the remainder is carried to the next one.
     fn rounded(&mut self, excess_s: Pair<R>) -> R;
-    /// Duration of the block that the gravity history belongs to, s; 0 if that is known by its samples.
+    /// Duration of the block that the gravity history belongs to, s; 0 if its number of samples determines it.
     fn history_s(&self) -> R;
     /// Sets it.
     fn set_history(&mut self, time_s: R);
-    /// Shows what is kept, as [`Record::record`] does.
+    /// Reads the stored numbers, as [`Record::record`] does.
     fn record_kept(&self, read: &mut impl FnMut(&'static str, u64))
     where
         R: Record;
-    /// Writes what is kept, as [`Record::restore`] does.
+    /// Writes the stored numbers, as [`Record::restore`] does.
     fn restore_kept(&mut self, write: &mut impl FnMut(&'static str, u64) -> u64)
     where
         R: Record;

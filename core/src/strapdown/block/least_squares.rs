@@ -1,8 +1,20 @@
 //! Fit of a long block of slow motion: a straight line or a parabola by least squares.
 //!
 //! w(σ) = w₀ + w₁σ + w₂σ² over the block's B samples, A = (BᵀB)⁻¹Bᵀ. The columns of B are powers of the
-//! sample's number, so A needs three sums only, which running totals yield without a product:
+//! sample's number, so A needs only three sums, which running totals give without multiplications:
 //! S₁ = Σ Δθⱼ, S₂ = Σ (B − j) Δθⱼ, S₃ = Σ ½(B − j)(B − j + 1) Δθⱼ, j = 0 … B − 1.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::least_squares::least_squares;
+//!
+//! let sample = |x: f64| Increment { angle_b: Vector::new(x, 0.0, 0.0), velocity_b: Vector::ZERO };
+//! let block: [_; 8] = core::array::from_fn(|j| sample(1.0 + j as f64));
+//! let (fit, sum) = least_squares::<f64, 2>(&block);
+//! // 2w₀ is the sum.
+//! assert!((2.0 * fit.rate[0].x - sum.angle_b.x).abs() < 1e-12);
+//! ```
 
 use super::fit::{Fit, each};
 use crate::math::real::Real;
@@ -38,7 +50,7 @@ pub fn least_squares<R: Real, const K: usize>(block: &[Increment<R>]) -> (Fit<R,
     let (bend, six) = (R::Twin::both(bend), R::Twin::both(R::of(6.0)));
     let twelfth = R::Twin::both(R::of(12.0) / b2);
     let w2 = each(each(s1, s2, |s1, s2| s1 * b1 - s2 * six), s3, |x, s3| (x + s3 * twelfth) * bend);
-    // w₀ = ½S₁ − ⅓w₂: the fit keeps the sum
+    // w₀ = ½S₁ − ⅓w₂: the fit preserves the sum
     let (half, third) = (R::Twin::both(R::HALF), R::Twin::both(R::of(1.0 / 3.0)));
     let w0 = if K == 3 {
         each(s1, w2, |s1, w2| s1 * half - w2 * third)

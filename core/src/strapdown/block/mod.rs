@@ -1,4 +1,4 @@
-//! The body's motion over a block of samples: fitted, integrated by a series, whatever the frame.
+//! The body's motion over a block of samples, fitted and integrated by a series, for any navigation frame.
 //!
 //! | file | what it has |
 //! |---|---|
@@ -7,11 +7,11 @@
 //! | [`fit`] | the polynomial through a window's samples |
 //! | `least_squares` | a line or a parabola through more samples than coefficients |
 //! | [`series`] | the power series of attitude, velocity and position over a block |
-//! | [`body`] | the block's motion: rotation, ∫u, ∫s, ∫∫s |
+//! | [`body`] | the block's motion: rotation, u = ∫Cf, s = ∬Cf, ∫s |
 //! | [`inside`] | the same up to a row within the block |
-//! | `alike` | what a block lacks so that all of its samples count alike |
+//! | `alike` | a correction that makes all samples count alike, wherever they lie in a block |
 //! | [`unequal`], [`intervals`], `abscissae` | samples of unequal intervals |
-//! | [`newton`], `behind`, `support`, `gain` | blocks at the ends of a stream: as many samples as they support |
+//! | [`newton`], `behind`, `support`, `gain` | blocks at the ends of a stream, and windows without look-ahead: as many samples as the motion supports |
 
 pub(crate) mod abscissae;
 #[doc(hidden)]

@@ -1,11 +1,31 @@
-//! Fit of a window at an edge: as many samples on its longer side as the samples themselves support.
+//! Fit of a window at an edge of the stream, with as many samples on its longer side as the motion supports.
 //!
-//! A window is the block, `near` samples on the one side, which are all taken, and up to `far` on the
+//! A window is the block, `near` samples on one side, which are all used, and up to `far` on the
 //! other. With t in samples, 0 at the outer edge of the near side, B/2·σ − near − B/2 in the block, the
 //! polynomial through the P samples next to it is w(σ) = Σ_m ∇ᵐx₀ d/dσ [t(t + 1)…(t + m)/(m + 1)!], m < P,
-//! the differences taken at the sample that t = 0 ends: a longer window only adds terms. Which P errs
-//! least is estimated as in `support`, for gyros and accelerometers each, and then, with the differences of a
-//! long enough stream, for each axis among those up to that: a cone has its second harmonic on its third axis.
+//! the differences taken at the sample that t = 0 ends: a longer window only adds terms. The P with
+//! the least error is estimated as in [`support`](super::support), for gyros and accelerometers separately. If the
+//! stream is long enough, it is then estimated for each axis, up to that P: a cone has its second harmonic on its
+//! third axis.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::newton::{Edge, supported};
+//! use schuler::strapdown::block::support::Differences;
+//!
+//! // A slow oscillation supports a long window, one of 2.5 samples per cycle a short one.
+//! let samples = |per_cycle: f64| {
+//!     let mut differences = Differences::<f64>::new();
+//!     for k in 0..14 {
+//!         let phase = core::f64::consts::TAU * f64::from(k) / per_cycle;
+//!         let angle_b = Vector::new(phase.cos(), phase.sin(), 0.0);
+//!         differences.add(&Increment { angle_b, velocity_b: Vector::ZERO });
+//!     }
+//!     supported(&differences, Edge { near: 0, block: 4, far: 10 }).gyro
+//! };
+//! assert!(samples(50.0) > samples(2.5));
+//! ```
 
 use super::fit::{Fit, MOST_SAMPLES};
 use super::gain::by_history;
@@ -15,7 +35,7 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 
-/// A block in a window, whose near side stands at the end of the samples.
+/// A block in a window whose near side is at the end of the samples.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Edge {
@@ -23,22 +43,22 @@ pub struct Edge {
     pub near: usize,
     /// Samples of the block.
     pub block: usize,
-    /// Samples beyond the block at most.
+    /// Largest number of samples beyond the block.
     pub far: usize,
 }
 
-/// Samples that a block was fitted through, at most.
+/// The largest number of samples that a block was fitted to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Used<R> {
-    /// Of the gyros, as all axes together support.
+    /// For the gyros, from all axes together.
     pub gyro: R,
-    /// Of the accelerometers, likewise.
+    /// For the accelerometers, likewise.
     pub accelerometer: R,
 }
 
 impl<R: Real> Used<R> {
-    /// The same number of both.
+    /// The same number for both.
     #[inline(always)]
     pub fn both(samples: usize) -> Self {
         let samples = R::count(samples as u32);
@@ -46,14 +66,14 @@ impl<R: Real> Used<R> {
     }
 }
 
-/// Samples that gyros and accelerometers were fitted through, each as many as they support: zeros
-/// before there was such a block.
+/// The number of samples that gyros and accelerometers were fitted to at the edges of a stream; 0 before the
+/// first such block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Edges<R> {
-    /// In the first block, where its window wants history.
+    /// In the first block, if its window has history.
     pub first: Used<R>,
-    /// In the latest block at the end of a stream, or with a window that looks back alone.
+    /// In the latest block at the end of a stream, or of a window without look-ahead.
     pub last: Used<R>,
 }
 
@@ -64,7 +84,7 @@ impl<R: Real> Edges<R> {
     }
 }
 
-/// gain² at [block − 1][near][far]: a weight, for which single precision is enough.
+/// gain² at [block − 1][near][far]: a weight, so single precision is enough.
 #[expect(
     clippy::indexing_slicing,
     reason = "the compiler alone evaluates it, and stops at an index out of range"
@@ -109,7 +129,8 @@ fn supported_by_axis<R: Real>(
     least(differences, edge, [most.gyro, most.accelerometer], |power| power)
 }
 
-/// How many samples, no more than `most`, err least, where what counts is made of each axis' power.
+/// The number of samples, at most `most`, with the least error; `count` makes what is compared from the axes'
+/// powers.
 fn least<R: Real>(
     differences: &Differences<R>,
     edge: Edge,
@@ -138,7 +159,7 @@ fn least<R: Real>(
     Increment { angle_b, velocity_b }
 }
 
-/// Mean of (∇ᵏx)² over C(2k, k), where there are only k samples by how it falls from the orders before.
+/// Mean of (∇ᵏx)² over C(2k, k); with only k samples it is extrapolated from lower orders.
 fn power<R: Real>(
     differences: &Differences<R>,
     k: usize,
@@ -152,8 +173,8 @@ fn power<R: Real>(
         return power(k);
     }
     let last = power(k.checked_sub(1)?)?;
-    // Over two orders, since at one of them an oscillation may just pass through 0; but not from the mean,
-    // which says nothing of how differences fall.
+    // Over two orders, because at one of them an oscillation may pass through 0; but not from order 0,
+    // because the mean does not show how differences fall.
     let falling = |c: R, a: R| c * (c / a).sqrt();
     let falling_once = |c: R, a: R| c * (c / a);
     let [c, d] = last;
@@ -164,7 +185,7 @@ fn power<R: Real>(
     Some([c.zip(a, falling_once), d.zip(b, falling_once)])
 }
 
-/// The fit through the samples that each axis uses. Towards the far side σ falls; `reversed` turns it round.
+/// The fit through the samples that each axis uses. σ falls towards the far side; `reversed` changes its sign.
 pub fn fit<R: Real>(
     differences: &Differences<R>,
     edge: Edge,
@@ -200,8 +221,8 @@ pub fn fit<R: Real>(
     fit
 }
 
-/// The fit of a block after `history` samples within a window, with the samples used. `after` samples
-/// that follow the window, and `before` that precede it, help to judge it.
+/// The fit of a block after `history` samples within a window that begins at `begin`, with the number of samples
+/// used. Samples beside the window contribute to the estimate of that number.
 pub fn at_edge<R: Real>(
     samples: &[Increment<R>],
     WindowShape { history, block, lookahead }: WindowShape,
@@ -221,7 +242,7 @@ pub fn at_edge<R: Real>(
         Edge { near: lookahead, block, far: history }
     };
     let used = supported(&differences, edge);
-    // By fewer differences an axis is not known: one of them may just pass through 0.
+    // With fewer samples an axis alone is not reliable: a difference may pass through 0.
     let by_axis = if differences.count() as usize >= MOST_SAMPLES {
         supported_by_axis(&differences, edge, &used)
     } else {

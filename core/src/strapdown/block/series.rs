@@ -1,8 +1,8 @@
 //! The power series of a block: rotation, velocity and position about its centre.
 //!
-//! Each coefficient comes from products of those before it with the fitted rates. Up to order 3 they are
-//! written out, so that none stands in memory; higher orders take a loop, but for the windows of fast
-//! motion where the code may be long.
+//! Each coefficient follows from products of the coefficients before it with the fitted rates. Up to order 3
+//! the products are written out, so that no coefficient is in memory. Higher orders use a loop, except for the
+//! windows of fast motion where long code is no disadvantage.
 
 use super::fit::Fit;
 use crate::math::quaternion::Quaternion;
@@ -79,17 +79,17 @@ pub struct Series<R: Real, const N: usize> {
     pub(crate) last: usize,
     pub(crate) even: Term<R>,
     pub(crate) odd: Term<R>,
-    /// What the odd coefficients hold beyond their own wₙ/2(n + 1) and fₙ/(n + 1).
+    /// The sum of the odd coefficients without their own wₙ/2(n + 1) and fₙ/(n + 1).
     pub(crate) curved: Term<R>,
 }
 
 /// Products of orders up to this one are written out for every window.
 const LOW_ORDER: usize = 3;
-/// Coefficients of the fit and terms of the series in the windows of fast motion, whose series is written
-/// out to the order of the fit, where that does not matter to the size of the code.
+/// Coefficients of the fit and terms of the series in the windows of fast motion. Their series is written
+/// out to the order of the fit, where code size does not matter.
 const FAST_MOTION: (usize, usize) = (8, 23);
 
-/// A loop over these numbers, written out: what it indexes need not be in memory.
+/// A loop over these numbers, written out: the indexed values need not be in memory.
 macro_rules! written_out {
     ($n:ident in [$($number:literal)+] if $wanted:expr => $body:expr) => {
         $({
@@ -102,12 +102,12 @@ macro_rules! written_out {
 }
 
 impl<R: Real, const N: usize> Series<R, N> {
-    /// Solved to σ^`order`, at most N − 1: the fit enters whole, products with it as far as that.
+    /// The series to σ^`order`, at most N − 1. The fit enters whole; products with it are truncated there.
     #[inline(always)]
     pub(crate) fn solve<const K: usize>(fit: &Fit<R, K>, order: usize) -> Self {
         const { assert!(N % 2 == 1 && N > K + 1 && K + 1 >= LOW_ORDER) };
         let written_out = R::Twin::IN_REGISTER && (K, N) == FAST_MOTION;
-        // Apart, so that no order takes the others' into memory.
+        // Separate functions, so that one order does not force the coefficients of another into memory.
         if order <= LOW_ORDER {
             Self::of_low_order(fit)
         } else if written_out && order == K + 1 {

@@ -1,10 +1,10 @@
-//! How long a window the samples support: measured on the samples themselves.
+//! How long a window the motion supports, measured on the samples themselves.
 //!
-//! The k-th differences ∇ᵏx of white noise of variance σ² have the variance C(2k, k)σ², and the polynomial
-//! through k samples is off by what their k-th difference is: so a window of k samples errs by about
-//! gain · rms(∇ᵏx)/√C(2k, k). That falls with k where the motion is resolved, and stays where it is not, or
-//! is noise, while the gain of a one-sided window grows. The window of the least estimate is the one to
-//! take. The estimate knows nothing of the motion and is made of + − × ÷ alone: it is the same everywhere.
+//! The k-th differences ∇ᵏx of white noise of variance σ² have the variance C(2k, k)σ², and the error of the
+//! polynomial through k samples is about their k-th difference. So a window of k samples has an error of about
+//! gain · rms(∇ᵏx)/√C(2k, k). This falls with k if the motion is resolved, and is level if it is not resolved or
+//! is noise, while the gain of a one-sided window grows. The window with the least estimate is used.
+//! The estimate needs no knowledge of the motion and uses only + − × ÷ √, so it is the same on every target.
 
 use super::fit::MOST_SAMPLES;
 use super::gain::gain_squared;
@@ -12,11 +12,12 @@ use super::shape::WindowShape;
 use crate::math::real::Real;
 use crate::sample::Increment;
 
-/// Differences of order 0 to 14 of a stream of samples, and their powers: of gyros and accelerometers
-/// each over its three axes.
+/// Differences of order 0 to 14 of a stream of samples, and their powers, for gyros and accelerometers
+/// separately.
 ///
 /// ```
-/// # use schuler::{math::vector::Vector, sample::Increment, strapdown::block::support::Differences};
+/// # use schuler::strapdown::block::{shape::WindowShape, support::Differences};
+/// # use schuler::{math::vector::Vector, sample::Increment};
 /// let mut differences = Differences::<f64>::new();
 /// for k in 0..100 {
 ///     // A cone of 2.5 samples per cycle.
@@ -24,9 +25,12 @@ use crate::sample::Increment;
 ///     let angle_b = Vector::new(phase.cos(), phase.sin(), 0.0);
 ///     differences.add(&Increment { angle_b, velocity_b: Vector::ZERO });
 /// }
-/// let error = |shape| f64::sqrt(differences.error_squared(shape).unwrap()[0]);
-/// assert!(error((0, 4, 10)) > 10.0 * error((0, 4, 0)));
-/// assert!(error((2, 4, 2)) < error((0, 4, 0)));
+/// let error = |history, block, lookahead| {
+///     let shape = WindowShape::new(history, block, lookahead);
+///     f64::sqrt(differences.error_squared(shape).unwrap()[0])
+/// };
+/// assert!(error(0, 4, 10) > 10.0 * error(0, 4, 0));
+/// assert!(error(2, 4, 2) < error(0, 4, 0));
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -45,7 +49,7 @@ impl<R: Real> Default for Differences<R> {
 }
 
 impl<R: Real> Differences<R> {
-    /// Of no samples.
+    /// Without samples.
     pub fn new() -> Self {
         Self {
             newest: [Increment::ZERO; MOST_SAMPLES + 1],
@@ -54,7 +58,7 @@ impl<R: Real> Differences<R> {
         }
     }
 
-    /// Takes the next sample.
+    /// Adds the next sample.
     pub fn add(&mut self, sample: &Increment<R>) {
         let mut difference = *sample;
         for (order, (newest, sum)) in (0..).zip(self.newest.iter_mut().zip(&mut self.sums)) {
@@ -74,18 +78,18 @@ impl<R: Real> Differences<R> {
         self.count = self.count.saturating_add(1);
     }
 
-    /// Samples taken.
+    /// The number of samples added.
     pub fn count(&self) -> u32 {
         self.count
     }
 
-    /// ∇ᵏ at the newest sample, at index k; 0 where it wants more samples.
+    /// ∇ᵏ at the newest sample, at index k; 0 if there are too few samples.
     pub(crate) fn newest(&self) -> &[Increment<R>; MOST_SAMPLES + 1] {
         &self.newest
     }
 
-    /// Mean of |∇ᵏx|² over C(2k, k), of gyros (rad²) and of accelerometers (m²/s²); `None` if there are
-    /// no more than k samples or k exceeds [`MOST_SAMPLES`].
+    /// Mean of |∇ᵏx|² over C(2k, k), of gyros (rad²) and accelerometers (m²/s²); `None` if there are
+    /// k samples or fewer, or k exceeds [`MOST_SAMPLES`].
     pub fn power(&self, k: usize) -> Option<[R; 2]> {
         let Increment { angle_b, velocity_b } = self.power_by_axis(k)?;
         Some([angle_b, velocity_b].map(|v| v.x + v.y + v.z))
@@ -103,9 +107,9 @@ impl<R: Real> Differences<R> {
         })
     }
 
-    /// Estimated mean square of the error of the rate that a window fits, per sample: of gyros (rad²) and
-    /// of accelerometers (m²/s²), three axes together; `None` if the samples are no more than the
-    /// window's, or the window is none of at most [`MOST_SAMPLES`].
+    /// Estimated mean square of the error of the rate that a window fits, per sample, for gyros (rad²) and
+    /// accelerometers (m²/s²), over three axes. `None` if there are no more samples than the window has,
+    /// if it has no block, or if it has more than [`MOST_SAMPLES`].
     pub fn error_squared(
         &self,
         WindowShape { history, block, lookahead }: WindowShape,
@@ -116,7 +120,7 @@ impl<R: Real> Differences<R> {
     }
 }
 
-/// C(2k, k), up to k = 14: all of them exact in single precision.
+/// C(2k, k), up to k = 14, all exact in single precision.
 #[expect(
     clippy::indexing_slicing,
     reason = "the compiler alone evaluates it, and stops at an index out of range"
@@ -134,7 +138,7 @@ const OF_NOISE: [f32; MOST_SAMPLES + 1] = {
 
 /// C(2k, k), up to k = 14.
 pub(crate) const fn central_binomial(k: usize) -> f64 {
-    // C(2k, k) = Π (4i − 2)/i, and every part of it is whole.
+    // C(2k, k) = Π (4i − 2)/i, whose partial products are integers.
     let (mut product, mut i) = (1, 1);
     while i <= k && i <= MOST_SAMPLES {
         product = product * (4 * i as u64 - 2) / i as u64;

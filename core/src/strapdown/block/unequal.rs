@@ -1,9 +1,16 @@
-//! Samples that do not all last the nominal interval: which windows have room for that, and how it is kept.
+//! Windows for samples that do not all last the nominal interval.
 //!
-//! A window stands for samples of one interval, and costs nothing more. [`Unequal`] is the same window
-//! with room for what each sample's own interval differs by: `Strapdown<F, Unequal<H2B4A2>>` takes
-//! samples of any length with `push_over`. As long as all last the nominal interval, its bits are the
-//! window's own; a block with others is integrated on its real abscissae.
+//! A named window is for samples of one interval. [`Unequal`] is the same window with room for the intervals
+//! of its samples: `Strapdown<F, Unequal<H2B4A2>>` takes samples of any length with `push_over`. As long as all
+//! last the nominal interval, its bits are those of the window itself. A block with other samples is integrated
+//! at its true abscissae.
+//!
+//! ```
+//! use schuler::strapdown::block::unequal::Unequal;
+//! use schuler::strapdown::block::window::{H2B4A2, Window};
+//!
+//! assert_eq!(Unequal::<H2B4A2>::SHAPE, H2B4A2::SHAPE);
+//! ```
 
 use super::body::BodyMotion;
 use super::window::{Behind, Window};
@@ -33,7 +40,7 @@ impl<W: Window> Window for Unequal<W> {
         W::samples(fill)
     }
 
-    // One code for all frames and readers, here and below.
+    // One copy of the code for all frames and readers, here and below.
     #[inline(never)]
     fn integrate_behind<R: Real>(
         seen: &[Increment<R>],

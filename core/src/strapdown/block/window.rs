@@ -1,8 +1,17 @@
 //! The named windows: which samples a block is integrated from.
 //!
 //! A window is H samples of history, the block of B samples that is integrated, and A samples of
-//! look-ahead, which delay the output. Wider windows follow faster motion; a straight line or a
+//! look-ahead, which delay the output. Wider windows resolve faster motion; a straight line or a
 //! parabola over a long block is the cheapest for slow motion.
+//!
+//! ```
+//! use schuler::strapdown::block::shape::WindowShape;
+//! use schuler::strapdown::block::window::{H2B4A2, NAMED, Window};
+//!
+//! assert_eq!(H2B4A2::SHAPE, WindowShape::new(2, 4, 2));
+//! assert_eq!(H2B4A2::SAMPLES, 8);
+//! assert!(NAMED.contains(&WindowShape::new(0, 4, 0)));
+//! ```
 #![doc = include_str!("WINDOWS.md")]
 
 use super::alike;
@@ -19,10 +28,10 @@ use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::strapdown::block::intervals::{Intervals, Kept, Nominal};
 
-/// Samples at least in the window of the first block, where history is wanted and there is none.
+/// The least number of samples in the window of the first block, if the window has history.
 const FIRST_SAMPLES: usize = 14;
 
-/// A block's motion, its series, and through how many samples it was fitted.
+/// A block's motion, its series, and the number of samples that it was fitted to.
 pub type Behind<R, S> = (BodyMotion<R>, S, Used<R>);
 
 /// A shape of window with its fit, its series and its storage.
@@ -37,7 +46,7 @@ pub trait Window: Copy + Default + Send + 'static {
     const SHAPE: WindowShape = WindowShape::new(Self::HISTORY, Self::BLOCK, Self::LOOKAHEAD);
     /// Samples of all three.
     const SAMPLES: usize = Self::HISTORY + Self::BLOCK + Self::LOOKAHEAD;
-    /// Samples before the window that are looked at where they are there.
+    /// Samples before the window that are used if they are there.
     const BESIDE: usize;
     /// Samples in the window of the first block.
     const FIRST: usize = if Self::SAMPLES < FIRST_SAMPLES { FIRST_SAMPLES } else { Self::SAMPLES };
@@ -60,8 +69,8 @@ pub trait Window: Copy + Default + Send + 'static {
     /// The room, filled.
     fn samples<T: Copy + Send>(fill: T) -> Self::Samples<T>;
 
-    /// Integrates the block within the window that ends the samples by a series up to σ^`order`; `None` if
-    /// the samples are too few. With `two_float` the motion comes with what rounding drops from it.
+    /// Integrates the block of the window at the end of the samples, by a series up to σ^`order`; `None` if
+    /// there are too few samples. With `two_float` the motion includes the parts that rounding drops.
     fn integrate<R: Real>(
         samples: &[Increment<R>],
         half_time_s: R,
@@ -69,8 +78,8 @@ pub trait Window: Copy + Default + Send + 'static {
         two_float: bool,
     ) -> Option<(BodyMotion<R>, Self::Series<R>)>;
 
-    /// The same with a window that looks back alone, at the end of the samples, through as many of them
-    /// as they support; `None` if those seen are too few to say.
+    /// The same for a window without look-ahead, through as many samples as the motion supports; `None` if
+    /// there are too few samples to decide.
     fn integrate_behind<R: Real>(
         seen: &[Increment<R>],
         half_time_s: R,
@@ -79,7 +88,7 @@ pub trait Window: Copy + Default + Send + 'static {
     ) -> Option<Behind<R, Self::Series<R>>>;
 }
 
-/// How a window's samples are fitted: by the polynomial through them all, or by a line or parabola.
+/// The fit of a window's samples: the polynomial through all of them, or a line or parabola.
 macro_rules! fit {
     (near, $k:literal, $h:literal, $b:literal, $a:literal, $samples:ident) => {
         least_squares::<R, $k>($samples)
@@ -91,7 +100,7 @@ macro_rules! fit {
     }};
 }
 
-/// What a block lacks so that all samples are alike, where enough of them are there.
+/// The correction that makes all samples count alike, if there are enough of them.
 macro_rules! lacking {
     (alike, $k:literal, $seen:ident) => {{
         const PAIRS: usize = ($k + alike::BLOCK) / 2;
@@ -105,7 +114,7 @@ macro_rules! lacking {
     };
 }
 
-/// Samples before the window that are looked at.
+/// Samples before the window that are used.
 macro_rules! beside {
     (alike, $b:literal) => {
         $b
@@ -115,7 +124,7 @@ macro_rules! beside {
     };
 }
 
-/// How a window that looks back alone is fitted to the samples seen: through as many as they support.
+/// The fit of a window without look-ahead: through as many samples as the motion supports.
 macro_rules! supported {
     (behind, $k:literal, $b:literal, $seen:ident) => {{
         const SINGLE: &[[f32; $k]; $k] = &behind::table_f32::<$k>($b);
@@ -197,7 +206,7 @@ macro_rules! windows {
             ($d each:ident! $d($d first:tt)*) => { $d each! { $d($d first)* $($name),+ } };
         }
 
-        /// Calls a macro with the name of every window, behind what it is to be given first:
+        /// Calls a macro with the names of all windows, after the tokens given here:
         /// `every_window!(list! [frame])` is `list!([frame] H0B2A0, H0B3A0, …)`.
         #[doc(inline)]
         pub use every_window;
@@ -247,7 +256,7 @@ macro_rules! pick_windows {
     };
 }
 
-/// Samples to keep: the newest block, and before it what the next window, or a stream's last ones, look at.
+/// Samples to keep: the newest block, and those before it that the next window, or a stream's last blocks, use.
 const fn capacity(h: usize, b: usize, a: usize, beside: usize) -> usize {
     let window = h + b + a;
     let sliding = b + if window > MOST_SAMPLES { LINE_LAST_SAMPLES } else { beside + window } - 1;

@@ -1,11 +1,11 @@
-//! The specific force that a block begins with.
+//! The specific force at the beginning of a block.
 
 use crate::math::quaternion::Matrix;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::strapdown::block::body::BodyMotion;
 
-/// The specific force that a block begins with, in the axes at its start.
+/// The specific force at the beginning of a block, in the axes at its start.
 pub(crate) struct Beginning<R> {
     /// a, m/s².
     pub value: Vector<R>,

@@ -1,10 +1,18 @@
-//! Constants of a block's duration, worked out once per configuration.
+//! Constants of a block's duration, computed once per configuration.
+//!
+//! ```
+//! use schuler::math::compensated::Pair;
+//! use schuler::strapdown::frame::block_time::BlockTime;
+//!
+//! let block = BlockTime::new(Pair::<f64>::of(0.01), 4);
+//! assert_eq!((block.time.hi, block.half), (0.04, 0.02));
+//! ```
 
 use crate::earth::{EQUATORIAL_GRAVITY, ROTATION_RATE};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 
-/// A block's duration T and what follows from it.
+/// A block's duration T and constants that follow from it.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BlockTime<R> {

@@ -1,16 +1,17 @@
-//! From velocity and its net growth to displacements: inertial ones, and relative to the turning Earth.
+//! From velocity and acceleration to displacements, inertially and relative to the rotating Earth.
 //!
-//! In axes that stand still in inertial space the velocity w relative to the Earth obeys ẇ = a − Ω × w, a
-//! specific force plus plumb gravity and Ω the Earth's rate. With R(α) the turn by α about Ω,
+//! In axes that stand still in inertial space the velocity w relative to the Earth obeys ẇ = a − Ω × w, with a
+//! the sum of specific force and plumb gravity and Ω the Earth's rate. With R(α) the turn by α about Ω,
 //! w(t) = R(−Ωt)v₀ + ∫R(−Ω(t−s))a(s)ds, and the displacement in the Earth's own axes is
-//! D = ∫R(−Ωt)w dt, and R(−ΩT) comes out of it whole: with ρ = T − s,
+//! D = ∫R(−Ωt)w dt, which contains R(−ΩT) as a factor: with ρ = T − s,
 //! ∫ₛᵀ R(−Ω(2t−s))dt = R(−ΩT)(ρ + Ω²ρ³/6 + Ω⁴ρ⁵/120 …), Ω² meaning Ω×(Ω×·). The moments ∫aρ, ∫aρ²/2
 //! and ∫aρ³/6 are the integrals of net(t) = ∬a, so that
 //!
 //! S₀ = v₀T + net,  S₁ = v₀T²/2 + ∫net,  S₂ = v₀T³/6 + ∬net,
 //! d = ∫w = S₀ − Ω×S₁ + Ω×(Ω×S₂) − …,  D = R(−ΩT)(S₀ + Ω×(Ω×S₂) + …).
 //!
-//! What is left out is Ω³v₀T⁴/24 of d, which only turns velocity by Ω⁴v₀T⁴/24, and Ω⁴v₀T⁵/120 of D.
+//! Left out are Ω³v₀T⁴/24 of d, which changes velocity only by Ω⁴v₀T⁴/24, terms of Ω⁴v₀T⁵ of D, and Ω²ȧT⁵/180
+//! of both, since ∬net = net·T²/12 is exact for constant a.
 
 use crate::earth::ROTATION_RATE;
 use crate::math::compensated::{two_product, two_sum};
@@ -19,15 +20,15 @@ use crate::math::vector::Vector;
 
 /// Displacements over a time t from v₀ and the net velocity integral, in n0.
 pub(crate) struct Displacement<R> {
-    /// d: change of position plus the frame's own motion, inertially, m.
+    /// d = ∫w dt, in axes that stand still in inertial space, m.
     pub inertial: Vector<R>,
     /// D: relative to the Earth, m.
     pub relative: Vector<R>,
-    /// What rounding drops from D; 0 unless two-float numbers are asked for.
+    /// The part of D that rounding drops; 0 without two-float products.
     pub relative_low: Vector<R>,
 }
 
-/// What velocity grows by, integrated.
+/// Integrals of the acceleration.
 pub(crate) struct Net<R> {
     /// net = ∬a, m.
     pub once: Vector<R>,
@@ -56,8 +57,8 @@ pub(crate) fn turned_by<R: Real>(omega: Vector<R>, x: Vector<R>) -> Vector<R> {
     Vector::new(-(omega.z * x.y), omega.z * x.x - omega.x * x.z, omega.x * x.y)
 }
 
-/// `low` is what the rounding of velocity and time takes from their product, m; with `two_float` what the
-/// product itself drops is found, too.
+/// `low` is the effect of the remainders of velocity and time on their product, m. With `two_float` the rounding
+/// of the product itself is added.
 #[inline(always)]
 pub(crate) fn displacement<R: Real>(
     velocity: Vector<R>,

@@ -1,8 +1,20 @@
-//! The nav step in Earth-fixed axes: no singular place anywhere.
+//! The navigation step in Earth-fixed axes, which are singular nowhere.
 //!
 //! Velocity is inertial, resolved in the Earth-fixed axes: within a block the axes stand still, and
-//! at its end position, velocity and gravity turn with the Earth. Gravitation is evaluated once per
-//! block and interpolated backwards (Adams).
+//! at its end position, velocity and gravity are rotated with the Earth. Gravitation is evaluated once per
+//! block and extrapolated from its history (Adams).
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::frame::{Frame, earth_fixed::EarthFixed};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let frame = EarthFixed::<Pair<f64>>::start(&initial);
+//! assert!(frame.check_place().is_ok());
+//! ```
 
 mod correct;
 mod plausible;
@@ -27,19 +39,19 @@ use crate::strapdown::frame::beginning::Beginning;
 use crate::strapdown::limits::Rejected;
 use crate::strapdown::place::check_earth_fixed;
 
-/// State in Earth-fixed axes; `S` sums it up.
+/// State in Earth-fixed axes, summed by `S`.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EarthFixed<S: Accumulate> {
     /// Position, m.
     position: Vector<S>,
-    /// Velocity against inertial space, m/s.
+    /// Velocity relative to inertial space, m/s.
     velocity: Vector<S>,
     /// Body → Earth-fixed.
     attitude: Quaternion<S>,
     /// G₀, m/s².
     gravitation: Vector<S::Real>,
-    /// What rounding drops from it; 0 without two-float products.
+    /// Its remainder; 0 without two-float products.
     gravitation_low: Vector<S::Real>,
     history: GravityHistory<S::Real>,
     latitude: Latitude<S::Real>,
@@ -56,7 +68,7 @@ pub struct EarthFixedStep<R> {
     curvature: Vector<R>,
 }
 
-/// Turns a vector by Rz(−α), given sinα and cosα − 1; what is returned is to be added.
+/// (Rz(−α) − 1)v, given sinα and cosα − 1.
 #[inline(always)]
 fn turn_less_one<R: Real>(v: Vector<R>, sine: R, cosine_less_one: R) -> Vector<R> {
     Vector::new(v.x * cosine_less_one + v.y * sine, v.y * cosine_less_one - v.x * sine, R::ZERO)
@@ -68,7 +80,7 @@ fn turn_back<R: Real>(half_sine: R, half_cosine_less_one: R) -> Quaternion<R> {
     Quaternion::new(half_cosine_less_one, Vector::new(R::ZERO, R::ZERO, -half_sine))
 }
 
-/// Gravitation at a position with what is known of its remainder.
+/// Gravitation at a position with its remainder, as far as it is known.
 #[inline(always)]
 fn gravitation<R: Real, S: Accumulate<Real = R>>(
     latitude: &mut Latitude<R>,
@@ -82,13 +94,13 @@ fn gravitation<R: Real, S: Accumulate<Real = R>>(
 }
 
 impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
-    /// The twofold integral of gravitation over a block of one second.
+    /// The twofold integral of gravitation over a block, per T².
     #[inline(always)]
     fn fall(&self) -> Vector<R> {
         self.gravitation * R::HALF + self.history.twofold()
     }
 
-    /// Turns the history with the Earth, as far as its digits go.
+    /// Rotates the history with the Earth, except ∇⁴, which is too small to need it.
     #[inline(always)]
     fn turn_history(&mut self, time: &BlockTime<R>) {
         let turn = |x: &mut Vector<R>| {
@@ -142,7 +154,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
                 let mut position = self.position;
                 position.accumulate(moved);
                 let mut latitude = self.latitude;
-                // From G₀, which is the zero here.
+                // Relative to G₀.
                 let there = gravitation::<R, S>(&mut latitude, position.map(S::pair));
                 let high = there.map(|c| c.hi) - self.gravitation;
                 high + (there.map(|c| c.lo) - self.gravitation_low)
@@ -179,7 +191,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let mean = self.history.advance(delta);
         let gained = matrix * body.velocity + (self.gravitation + mean) * t;
 
-        // All turn with the Earth, Rz(−ωT), in the same increments.
+        // All are rotated with the Earth, by Rz(−ωT), as increments.
         let turn = |x: Vector<R>| turn_less_one(x, time.turn_sine, time.turn_cosine_less_one);
         self.position.accumulate(moved + turn(position));
         self.velocity.accumulate(gained + turn(v + gained));
@@ -235,8 +247,8 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
         let (up, lift) = self.latitude.vertical(r, altitude);
         let lifted = up * lift;
         self.position.accumulate(lifted);
-        // The vertical velocity is the same against the Earth and against inertial space; the horizontal
-        // one stays against the Earth, v − ω × r.
+        // Vertical velocity is the same relative to the Earth and to inertial space; horizontal velocity
+        // relative to the Earth, v − ω × r, is kept.
         let omega = Vector::new(R::ZERO, R::ZERO, R::of(ROTATION_RATE));
         let climb = up.dot(self.velocity.value()) + down;
         self.velocity.accumulate(omega.cross(lifted) - up * climb);
@@ -261,7 +273,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for EarthFixed<S> {
     }
 }
 
-/// The velocity against the Earth is v − ω × r.
+/// The velocity relative to the Earth is v − ω × r.
 #[inline]
 fn solution<R: Real, S: Accumulate<Real = R>>(
     position: Vector<S>,

@@ -1,8 +1,18 @@
-//! Gravitation at an Earth-fixed position, with the latitude carried along.
+//! Gravitation at an Earth-fixed position, with a latitude that is kept from step to step.
 //!
 //! Nothing divides by the distance from the axis, so the poles are like any other place. The latitude
-//! of the last position, turned on by its last change, is so good a prediction that one Newton step
+//! of the last position plus its last change predicts the next one so well that one Newton step
 //! reaches full precision; only a cold start takes more.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::strapdown::frame::gravitation::Latitude;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.0, altitude: 100.0 };
+//! let mut latitude = Latitude { sine: 0.8_f64.sin(), cosine: 0.8_f64.cos(), change: 0.0 };
+//! let gravitation = latitude.gravitation(at.to_earth_fixed());
+//! assert!((gravitation.norm() - 9.82).abs() < 0.01);
+//! ```
 
 use crate::earth::{
     ECCENTRICITY_SQUARED, EQUATORIAL_GRAVITY, ROTATION_RATE, SEMI_MAJOR_AXIS, SOMIGLIANA,
@@ -24,10 +34,10 @@ pub struct Latitude<R> {
     pub change: R,
 }
 
-/// A correction of the predicted latitude, rad, beyond which the position has leapt.
+/// A correction of the predicted latitude, rad, beyond which the last change is not used again.
 const LEAP: f64 = 1e-3;
 
-/// What one Newton step finds.
+/// The result of one Newton step.
 struct Newton<R> {
     error: R,
     inverse_w: R,
@@ -42,10 +52,10 @@ impl<R: Real> Latitude<R> {
         let axis_distance = (x * x + y * y).sqrt();
         self.predict();
         let mut newton = self.correct(axis_distance, z);
-        // The rest of one step is the square of its correction: below this it is rounding.
+        // One step leaves at most 0.0051 times the square of its correction: below this bound that is rounding.
         let bound = R::entry(1e-5, 5e-7);
         let mut cold = bound.less(newton.error.abs());
-        // After a leap the change foretells nothing.
+        // After a leap the last change is no prediction.
         let leap = R::of(LEAP).less(newton.error.abs());
         self.change = R::select(leap, R::ZERO, self.change);
         let mut tries = 0;
@@ -76,8 +86,8 @@ impl<R: Real> Latitude<R> {
         Vector::new(-(pull * x), -(pull * y), -(gravity * self.sine))
     }
 
-    /// The gravitation at a position, m/s², if this latitude, which may be that of half a sample before, can
-    /// be the position's.
+    /// The gravitation at a position, m/s², if this latitude can be that of the position, or of a position half a
+    /// sample before.
     pub(crate) fn belongs_to(&self, position_e: Vector<R>) -> Option<Vector<R>> {
         let (s, c) = (self.sine, self.cosine);
         let is_one = s.is_within(R::of(1.1))
@@ -95,8 +105,8 @@ impl<R: Real> Latitude<R> {
         apart.then_some(gravitation)
     }
 
-    /// The ellipsoid's outward normal at a position whose latitude this is, and how far an altitude
-    /// lies above it, m.
+    /// The ellipsoid's outward normal at a position with this latitude, and the height of an altitude
+    /// above the position, m.
     pub fn vertical(&self, position_e: Vector<R>, altitude: R) -> (Vector<R>, R) {
         let Vector { x, y, z } = position_e;
         let (s, c) = (self.sine, self.cosine);
@@ -108,7 +118,7 @@ impl<R: Real> Latitude<R> {
         (Vector::new(x * inverse, y * inverse, s), altitude - height)
     }
 
-    /// Turns on by the last change.
+    /// Adds the last change.
     #[inline(always)]
     fn predict(&mut self) {
         // s ← s + c·S − s·K, c ← c − s·S − c·K,  S = d − d³/6, K = d²/2 − d⁴/24

@@ -3,7 +3,7 @@
 //!
 //! With ∇ = G₀ − G₋₁, ∇² = ∇ − ∇₋₁, … and τ ∈ [0, 1] over the block, G(τ) = Σ ∇ᵏ τ(τ + 1)…(τ + k − 1)/k!
 //! up to k = 4, whose twofold integral is ½G₀ + ⅙∇ + ⅛∇² + ¹⁹⁄₁₈₀∇³ + ³⁄₃₂∇⁴. Once G₁ is known, with
-//! δ = G₁ − G₀, δ² = δ − ∇, … up to δ⁵, the integral of the polynomial through G₁, too, is
+//! δ = G₁ − G₀, δ² = δ − ∇, … up to δ⁵, the integral of the polynomial that includes G₁ is
 //! G₀ + ½δ − δ²/12 − δ³/24 − ¹⁹⁄₇₂₀δ⁴ − ³⁄₁₆₀δ⁵.
 
 use crate::math::real::Real;
@@ -20,12 +20,12 @@ pub(crate) struct GravityHistory<R> {
     pub second_difference: Vector<R>,
     /// ∇³.
     pub third_difference: Vector<R>,
-    /// ∇⁴, in the axes it was found in: so small that it need not turn.
+    /// ∇⁴, in the axes in which it was found: it is too small to need rotation.
     pub fourth_difference: Vector<R>,
 }
 
 impl<R: Real> GravityHistory<R> {
-    /// Of gravity that never changed.
+    /// Of constant gravity.
     pub const NONE: Self = Self {
         difference: Vector::ZERO,
         second_difference: Vector::ZERO,
@@ -54,8 +54,8 @@ impl<R: Real> GravityHistory<R> {
         self.difference * R::of(1.0 / 6.0) + (self.second_difference * R::of(0.125) + small)
     }
 
-    /// Takes δ: returns the mean over the block beyond G₀, and goes on with δ to δ⁴, the next block's ∇ to
-    /// ∇⁴ in the axes of this one.
+    /// Takes δ, and returns the mean over the block less G₀. δ to δ⁴ become the next block's ∇ to
+    /// ∇⁴, in the axes of this one.
     #[inline(always)]
     pub fn advance(&mut self, delta: Vector<R>) -> Vector<R> {
         let delta2 = delta - self.difference;
@@ -73,13 +73,13 @@ impl<R: Real> GravityHistory<R> {
         delta * R::HALF - (delta2 * R::of(1.0 / 12.0) + small)
     }
 
-    /// Half of G₁ − G₋₁ and of G₁ − 2G₀ + G₋₁: what gravity does over the block, as a parabola.
+    /// Half of G₁ − G₋₁ and of G₁ − 2G₀ + G₋₁: gravity over the block as a parabola.
     #[inline(always)]
     pub fn parabola(&self, delta: Vector<R>) -> (Vector<R>, Vector<R>) {
         ((delta + self.difference) * R::HALF, (delta - self.difference) * R::HALF)
     }
 
-    /// For blocks that are ρ times as long.
+    /// Converts to blocks that are ρ times as long.
     #[inline(never)]
     pub fn stretch(&mut self, rho: R) {
         // Going back by a block is 1 − ∇, by a longer one (1 − ∇)^ρ, and ∇ ← 1 − (1 − ∇)^ρ:

@@ -1,8 +1,8 @@
-//! The nav step in north, east and down at the vehicle: the paper's own frame.
+//! The navigation step in north, east and down at the vehicle, the frame of the paper.
 //!
 //! Within a block the axes n0 stand still in inertial space as they were at its start, and velocity is
-//! relative to the Earth; at the end the frame turns to the new place. No state is as large as the
-//! Earth, which makes it the frame for single precision. Near a pole use the Earth-fixed frame.
+//! relative to the Earth; at the end the frame turns to the new place. No number of the state is as large as the
+//! Earth's radius, so this is the frame for single precision. Near a pole use the Earth-fixed frame.
 
 mod correct;
 mod plausible;
@@ -29,7 +29,7 @@ use crate::strapdown::frame::Frame;
 use crate::strapdown::limits::Rejected;
 use crate::strapdown::place::{check_local, fold_longitude};
 
-/// State in local-level axes; `S` sums it up.
+/// State in local-level axes, summed by `S`.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LocalLevel<S: Accumulate> {
@@ -45,9 +45,9 @@ pub struct LocalLevel<S: Accumulate> {
     curvature: S::Real,
     /// γ − γ_e here, m/s².
     gravity_excess: S::Real,
-    /// What rounding drops from it; 0 without two-float products.
+    /// Its remainder; 0 without two-float products.
     gravity_excess_low: S::Real,
-    /// What rounding left over from Δλ + ωT; 0 without two-float products.
+    /// The remainder of Δλ + ωT; 0 without two-float products.
     longitude_rest: S::Real,
     /// Of plumb gravity, in the present axes.
     history: GravityHistory<S::Real>,
@@ -75,7 +75,7 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         )
     }
 
-    /// γ − γ_e with what is known of its remainder.
+    /// γ − γ_e with its remainder, as far as it is known.
     #[inline(always)]
     fn excess(sine: S, altitude: S, curvature: R) -> Pair<R> {
         if S::TWO_FLOAT {
@@ -85,7 +85,7 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         }
     }
 
-    /// The change of δ: plumb gravity at the new place less that at the old one, in n0.
+    /// δ: plumb gravity at the new place less that at the old one, in n0.
     #[inline(always)]
     fn plumb_change(&self, excess: Pair<R>, turn: Quaternion<R>) -> Vector<R> {
         // δ = (dγ₁ − dγ₀)ẑ + γ₁(C − I)ẑ
@@ -195,7 +195,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
             let mut gained = attitude.rotated(body);
             gained.z = gained.z + time.gravity + before * time.time;
             self.velocity.accumulate_pair(gained);
-            // Ω was rounded with ω_ie.
+            // The rounding of ω_ie in Ω.
             let omega_low = R::residual(ROTATION_RATE) / R::of(ROTATION_RATE);
             self.velocity.accumulate(rest - drag * omega_low);
         } else {
@@ -215,7 +215,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         self.velocity.accumulate(dv);
         if S::TWO_FLOAT {
             let turn = start.frame_turn(turn, moved_to.latitude, inertial_longitude);
-            // What the rounding of the frame's turn takes from its product with the velocity: 2 v × m.
+            // The effect of the rounding of the frame's rotation on its product with the velocity: 2 v × m.
             let low = turn.v.zip(back.v, |exact, back| (exact.hi + back) + exact.lo);
             let drift = self.velocity.value().cross(low);
             self.velocity.accumulate(drift + drift);
@@ -231,7 +231,7 @@ impl<R: Real, S: Accumulate<Real = R>> Frame for LocalLevel<S> {
         history.difference = history.difference + back.turn_less_one(history.difference);
         history.second_difference =
             history.second_difference + back.turn_less_one(history.second_difference);
-        // To first order: a level ∇³ that stood still would leave a vertical one, always the same way.
+        // To first order: without it, a level ∇³ would leave a vertical component, always with the same sign.
         let tilt = back.v.cross(history.third_difference);
         history.third_difference = history.third_difference + (tilt + tilt);
         LocalLevelStep { matrix, meridian, slope, curvature }

@@ -1,7 +1,19 @@
 //! From a displacement in north-east-down to latitude, longitude and height, without trigonometry.
 //!
-//! The displacement D is exact and straight; the ellipsoid curves away under it. Two passes over a
-//! short series reach the rounding floor for any block a vehicle can cross.
+//! The displacement D is a straight line, and the ellipsoid curves away from it. Two passes over a
+//! short series reach the rounding floor for blocks of up to 500 m, and leave 3e-9 m over 5 km.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::strapdown::frame::meridian::{Meridian, curvature};
+//!
+//! // 100 m to the north at 45° of latitude.
+//! let sine = 45_f64.to_radians().sin();
+//! let change = Meridian::at(sine, sine, 0.0, curvature(sine)).moved(Vector::new(100.0, 0.0, 0.0));
+//! assert!((change.latitude - 100.0 / 6_367_382.0).abs() < 1e-11);
+//! // A straight line rises above the ellipsoid.
+//! assert!((change.altitude - 100.0 * 100.0 / (2.0 * 6_367_382.0)).abs() < 1e-8);
+//! ```
 
 use crate::earth::{ECCENTRICITY_SQUARED, Geodetic, SEMI_MAJOR_AXIS};
 use crate::math::compensated::Pair;
@@ -9,7 +21,7 @@ use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 
-/// The ellipsoid about a point: what a block needs of its start.
+/// The ellipsoid at the start of a block.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Meridian<R> {
@@ -29,7 +41,7 @@ pub struct Meridian<R> {
     second_slope: R,
 }
 
-/// The change of place that a displacement makes.
+/// The change of place by a displacement.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PlaceChange<R> {
@@ -43,7 +55,7 @@ pub struct PlaceChange<R> {
     pub sine: R,
     /// cos Δφ − 1.
     pub cosine_less_one: R,
-    /// What the way east takes from N to leave N′, m: RΔφ = N′ − bend.
+    /// N − N′, the effect of the displacement to the east, m: RΔφ = N′ − bend.
     pub(crate) inward: R,
     /// Δh sinΔφ + R_M′Δφ²/2 + (R_M″ − R)Δφ³/6 − 7R_M′Δφ⁴/24, m.
     pub(crate) bend: R,
@@ -111,7 +123,8 @@ impl<R: Real> Meridian<R> {
         let y2 = square(y);
         // atan y = y − y³/3 + y⁵/5
         let longitude = y - y * y2 * (R::of(1.0 / 3.0) - y2 * R::of(0.2));
-        // Going east leads outward of the meridian plane by δ = √(x² + D_E²) − x = ½D_E y(1 − y²/4)
+        // A displacement to the east increases the distance from the axis beyond x by
+        // δ = √(x² + D_E²) − x = ½D_E y(1 − y²/4)
         let outward = east * y * R::HALF * (R::ONE - y2 * R::of(0.25));
         let inward = s * outward;
         let north = north - inward;
@@ -147,8 +160,8 @@ impl<R: Real> Meridian<R> {
         }
     }
 
-    /// q_{n1}^{n0} less one: the local-level frame's turn against inertial space while it moves by
-    /// `change` and the Earth turns along; `inertial_longitude` is Δl = Δλ + ωT.
+    /// q_{n1}^{n0} less one: the rotation of the local-level frame in inertial space while it moves by
+    /// `change` and the Earth rotates; `inertial_longitude` is Δl = Δλ + ωT.
     #[inline(always)]
     pub fn frame_turn(&self, change: &PlaceChange<R>, inertial_longitude: R) -> Quaternion<R> {
         // [cos ½Δl, sin ½Δl·(c, 0, −s)] ⊗ [cos ½Δφ, 0, −sin ½Δφ, 0]
@@ -166,7 +179,7 @@ impl<R: Real> Meridian<R> {
     }
 }
 
-/// x², or 0 where it is lost beside 1: higher powers would be subnormal at rest, and slow on some processors.
+/// x², or 0 if it vanishes beside 1: at rest higher powers would be subnormal, and slow on some processors.
 #[inline(always)]
 pub(crate) fn square<R: Real>(x: R) -> R {
     let square = x * x;

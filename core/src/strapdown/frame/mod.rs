@@ -1,14 +1,27 @@
-//! The step over a block, in either navigation frame.
+//! The navigation step over a block, in either navigation frame.
 //!
 //! | file | what it has |
 //! |---|---|
 //! | [`local_level`] | north, east, down at the vehicle |
 //! | [`earth_fixed`] | axes that turn with the Earth |
-//! | [`block_time`] | what a block's duration alone decides |
+//! | [`block_time`] | constants that depend only on a block's duration |
 //! | `meridian` | latitude's sine and cosine, advanced by increments |
-//! | `displacement`, `beginning` | the way over a block, from its forces |
+//! | `displacement`, `beginning` | the displacement over a block, from its forces |
 //! | [`gravitation`], `gravity_history` | gravity and its differences from block to block |
 //! | `two_float` | the same step with two-float products |
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::solution::{Euler, Output, Solution};
+//! use schuler::strapdown::frame::{Frame, earth_fixed::EarthFixed, local_level::LocalLevel};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let local = LocalLevel::<Pair<f64>>::start(&initial).output();
+//! let fixed = EarthFixed::<Pair<f64>>::start(&initial).output().solution();
+//! assert!((local.position.altitude.hi - fixed.position.altitude.hi).abs() < 1e-8);
+//! ```
 
 mod beginning;
 pub mod block_time;
@@ -34,18 +47,18 @@ use crate::strapdown::plausible::Plausible;
 pub trait Frame: Copy + Send + Plausible {
     /// The scalar it computes in.
     type Real: Real;
-    /// What it prints: its own coordinates, converted only when asked.
+    /// The form of its solution: its own coordinates, which are converted only on request.
     type Output: Output<Self::Real>;
-    /// What the inside of a block needs to know of the step across it.
+    /// What rows inside a block need from the step across it.
     type Step: Copy;
-    /// Whether it wants the body's motion with what rounding drops from it.
+    /// Whether it uses the body's motion with the parts that rounding drops.
     const TWO_FLOAT: bool;
 
     /// From an initial solution.
     fn start(initial: &Solution<Self::Real>) -> Self;
-    /// Sets up the gravity history: at the start, and whenever a block's duration changes.
+    /// Sets up the gravity history, at the start and whenever a block's duration changes.
     fn seed(&mut self, time: &BlockTime<Self::Real>, body: &BodyMotion<Self::Real>);
-    /// Brings the gravity history to blocks that are longer by a factor.
+    /// Converts the gravity history to blocks that are longer by a factor.
     fn stretch(&mut self, factor: Self::Real);
     /// Steps over a block.
     fn step(&mut self, time: &BlockTime<Self::Real>, body: &BodyMotion<Self::Real>) -> Self::Step;
@@ -62,8 +75,12 @@ pub trait Frame: Copy + Send + Plausible {
     fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
     /// Adds a correction that is finite and not too large; what is refused leaves half of one.
     fn correct(&mut self, correction: &Correction<Self::Real>) -> Result<(), Rejected>;
-    /// Whether navigation can go on from where it stands.
+    /// Whether navigation can continue at its place.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected::Pole`] or [`Rejected::Place`].
     fn check_place(&self) -> Result<(), Rejected>;
-    /// The state as it stands.
+    /// The present solution.
     fn output(&self) -> Self::Output;
 }

@@ -1,8 +1,8 @@
 //! Single precision to millimetres: the products of the local-level step that are carried to twice the
-//! digits, where a systematic rounding would grow with time.
+//! digits, because their systematic rounding would grow with time.
 //!
 //! These are the quotients that turn metres into radians, the rotation of the velocity increment, and the
-//! two products that turn the attitude. Everything else rounds at random and may.
+//! two products that turn the attitude. All other terms round at random, which is harmless.
 
 use super::meridian::{PlaceChange, square};
 use crate::earth::{
@@ -15,7 +15,7 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::strapdown::block::body::BodyMotion;
 
-/// Where a block starts: sine and cosine of its latitude, its altitude (m).
+/// The start of a block: sine and cosine of its latitude, and its altitude (m).
 #[derive(Clone, Copy)]
 pub(crate) struct Place<R> {
     pub sine: Pair<R>,
@@ -39,7 +39,7 @@ impl<R: Real> Place<R> {
         let prime_vertical = Pair::of(SEMI_MAJOR_AXIS) * inverse_w;
         let meridian =
             prime_vertical * Pair::of(1.0 - ECCENTRICITY_SQUARED) * inverse_w * inverse_w;
-        // Δφ = N′/R − bend/R: what bends is below an ulp of N′ and must not be lost in it
+        // Δφ = N′/R − bend/R: bend is below an ulp of N′ and must not be subtracted from it
         let inverse_radius = (meridian + altitude).reciprocal();
         let (arc, low) = two_sum(moved.x, -rough.inward);
         let mut latitude = Pair { hi: arc, lo: low + moved_low.x } * inverse_radius;
@@ -75,12 +75,12 @@ impl<R: Real> Place<R> {
     }
 }
 
-/// γ − γ_e at a latitude and altitude, m/s²: rounded alone, half an ulp of it is a steady fall of
+/// γ − γ_e at a latitude and altitude, m/s², with its remainder: half an ulp of γ − γ_e is a steady fall of
 /// centimetres in half an hour.
 #[inline(always)]
 pub(crate) fn gravity_excess<R: Real>(sine: Pair<R>, altitude: Pair<R>) -> Pair<R> {
     // γ/γ_e − 1 = A + B + AB with A = k s² + (1 + k s²)(1/W − 1) and B = −(2/a)(1 + f + m − 2f s²)h + 3h²/a².
-    // The first order, (k + ½e²)s² − (2/a)(1 + f + m)h, is large enough to be rounded; the rest is not.
+    // The rounding of the first order, (k + ½e²)s² − (2/a)(1 + f + m)h, matters; that of the rest does not.
     const A: f64 = SEMI_MAJOR_AXIS;
     const BY_LATITUDE: f64 = SOMIGLIANA + 0.5 * ECCENTRICITY_SQUARED;
     const BY_HEIGHT: f64 = -2.0 / A * (1.0 + FLATTENING + CENTRIFUGAL_RATIO);
@@ -115,7 +115,7 @@ fn cosine_less_one<R: Real>(half: R) -> R {
     -(square(half) * R::HALF)
 }
 
-/// Δl = Δλ + ωT rounded, with what rounding left over from the blocks before; returns the new rest.
+/// Δl = Δλ + ωT, rounded, including the remainder of the blocks before; returns the new remainder, too.
 #[inline(always)]
 pub(crate) fn inertial_longitude<R: Real>(change: Pair<R>, turn: Pair<R>, rest: R) -> (R, R) {
     let (sum, low) = two_sum(change.hi, turn.hi);
@@ -124,7 +124,7 @@ pub(crate) fn inertial_longitude<R: Real>(change: Pair<R>, turn: Pair<R>, rest: 
     (rounded, low - (rounded - sum))
 }
 
-/// A factor of products whose rounding is kept: a number in two exact halves, and its remainder.
+/// A factor of exact products: a number in two halves, and its remainder.
 #[derive(Clone, Copy)]
 struct Factor<R> {
     number: R,
@@ -150,7 +150,7 @@ impl<R: Real> core::ops::Neg for Factor<R> {
     }
 }
 
-/// Σ aᵢbᵢ with what rounding drops from it.
+/// Σ aᵢbᵢ with its remainder.
 #[inline(always)]
 fn sum_of_products<R: Real, const N: usize>(factors: [(Factor<R>, Factor<R>); N]) -> Pair<R> {
     let mut sum = Pair { hi: R::ZERO, lo: R::ZERO };
@@ -206,7 +206,7 @@ impl<R: Real> Attitude<R> {
         })
     }
 
-    /// What turning by e in the body and back by the frame's turn m adds: (1 + m)* ⊗ q ⊗ (1 + e) − q.
+    /// The change of q by the body's rotation e and the frame's rotation m: (1 + m)* ⊗ q ⊗ (1 + e) − q.
     #[inline(always)]
     pub fn turned(
         &self,

@@ -1,4 +1,4 @@
-//! Whether a navigator's state that came back from bytes can be right.
+//! Checks of a navigator's state that was restored from bytes.
 
 use super::{State, Strapdown};
 use crate::math::real::Real;
@@ -7,8 +7,13 @@ use crate::strapdown::frame::Frame;
 use crate::strapdown::plausible::{Damaged, MOST_COUNTED};
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
-    /// Whether a state can be one that this navigator left: its samples in the room for them and within the
-    /// limits, as many pending as can be between two samples, its frame's fields in accord.
+    /// Checks whether a state can be a state of this navigator: its samples fit the room and are within the
+    /// limits, the number of pending samples is possible between two samples, and the frame's fields are
+    /// consistent.
+    ///
+    /// # Errors
+    ///
+    /// [`Damaged`] if it cannot.
     pub fn check(&self, state: &State<F, W>) -> Result<(), Damaged> {
         let samples = state.samples.as_ref();
         let sound = state.filled <= samples.len()
@@ -23,7 +28,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 }
 
-/// Whether so many samples can be kept and pending between two samples.
+/// Whether this number of samples can be stored and pending between two samples.
 fn can_wait<F: Frame, W: Window>(state: &State<F, W>, past: usize) -> bool {
     let few = if past < W::HISTORY {
         // The first block waits for its window.

@@ -17,7 +17,7 @@ struct Crossing<'a, R: Real> {
     /// Samples.
     block: usize,
     body: &'a BodyMotion<R>,
-    /// The nominal interval, s, and what its samples' intervals exceed it by, if any does.
+    /// The nominal interval, s, and the differences of its samples' intervals from it; empty if there are none.
     interval: R,
     excess: &'a [R],
     /// Samples before it.
@@ -59,7 +59,7 @@ impl<R: Real> Crossing<'_, R> {
     }
 }
 
-/// Crosses a block: one code for all windows and readers of a frame.
+/// Crosses a block: one copy of the code for all windows and readers of a frame.
 #[inline(never)]
 fn cross_any<F: Frame>(
     frame: &mut F,
@@ -71,8 +71,8 @@ fn cross_any<F: Frame>(
 }
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
-    /// Crosses a block: seeds the gravity history where the block's length is new, steps, reads. `excess`
-    /// is what its samples' intervals exceed the nominal one by, if any does.
+    /// Crosses a block: sets up the gravity history if the block's length is new, steps, reads rows. `excess`
+    /// has the differences of its samples' intervals from the nominal one; it is empty if there are none.
     #[inline(always)]
     pub(super) fn step<const EDGE: bool, Q: Read<F> + ?Sized>(
         &self,

@@ -1,7 +1,7 @@
-//! The first and the last blocks of a stream, which want samples that are not there.
+//! The first and the last blocks of a stream, whose windows are incomplete.
 //!
-//! Their windows are rare: the fit is made at run time, through as many samples as they themselves
-//! support, and the series is the longest for all.
+//! They are rare: the fit is made at run time, through as many samples as the motion
+//! supports, and all use the longest series.
 
 use super::rows::Read;
 use super::{State, Strapdown};
@@ -17,12 +17,12 @@ use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::block_time::BlockTime;
 
-/// Terms of the series of first and last blocks, whatever their window.
+/// Terms of the series of first and last blocks of any window.
 const EDGE_TERMS: usize = 26;
 /// Samples at most in a stream's last blocks.
 const LAST_BLOCK: usize = 4;
 
-/// Integrates a block at an edge: one code for all frames, windows and readers.
+/// Integrates a block at an edge: one copy of the code for all frames, windows and readers.
 #[inline(never)]
 fn integrate<R: Real>(
     fit: &Fit<R, MOST_SAMPLES>,
@@ -32,7 +32,7 @@ fn integrate<R: Real>(
     body::integrate(fit, sum, half_time_s, EDGE_TERMS)
 }
 
-/// Steps over a block at an edge: one code for all windows and readers of a frame.
+/// Steps over a block at an edge: one copy of the code for all windows and readers of a frame.
 #[inline(never)]
 pub(crate) fn step<F: Frame>(
     frame: &mut F,
@@ -42,7 +42,7 @@ pub(crate) fn step<F: Frame>(
     frame.step(time, body)
 }
 
-/// The fit of a block at an edge and its sum: one code for all frames, windows and readers.
+/// The fit of a block at an edge: one copy of the code for all frames, windows and readers.
 #[inline(never)]
 fn fit<R: Real>(
     samples: &[Increment<R>],
@@ -92,7 +92,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         self.step::<true, _>(state, (&time, &[]), block, &body, &series, read);
     }
 
-    /// The last blocks: the look-ahead that is missing goes to the history.
+    /// The last blocks: missing look-ahead is replaced by history.
     #[inline(never)]
     pub(crate) fn last_blocks<Q: Read<F> + ?Sized>(&self, state: &mut State<F, W>, read: &mut Q) {
         while state.pending > 0 {
@@ -102,7 +102,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             } else {
                 W::SAMPLES.max(LAST_BLOCK)
             };
-            // As much history as look-ahead, where there is as much of both.
+            // As much history as look-ahead, if there are enough samples of both.
             let (beside, after) = (most - block, state.pending - block);
             let past = state.filled - state.pending;
             let history = past.min((beside / 2).max(beside.saturating_sub(after)));

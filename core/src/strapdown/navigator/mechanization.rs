@@ -1,4 +1,4 @@
-//! The navigator as one mechanization among others.
+//! The navigator as a [`Mechanization`].
 
 use crate::sample::Increment;
 use crate::solution::Solution;

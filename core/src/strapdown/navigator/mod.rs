@@ -1,8 +1,7 @@
 //! The navigator: samples go in one by one, states come out block by block.
 //!
-//! Look-ahead delays a row, it never changes it. The first block of a window that wants history looks
-//! ahead instead; the last ones look back; so a stream of any length ends with a row for every sample.
-
+//! Look-ahead delays a row but does not change it. The first block of a window with history looks
+//! ahead instead, and the last blocks look back. So a stream of any length ends with a row for every sample.
 //!
 //! | file | what it has |
 //! |---|---|
@@ -10,9 +9,32 @@
 //! | `edges` | the first and the last blocks of a stream |
 //! | `unequal` | blocks of samples of unequal intervals |
 //! | `correct` | a running state corrected |
-//! | `rows` | who reads the rows within a block |
+//! | `rows` | whether and by whom rows within a block are read |
 //! | `mechanization` | the navigator as a mechanization |
-//! | `check`, `stored` | a state as bytes, and whether it can be one |
+//! | `check`, `stored` | a state as bytes, and its check |
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::sample::Increment;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::block::window::H2B4A2;
+//! use schuler::strapdown::frame::earth_fixed::EarthFixed;
+//! use schuler::strapdown::navigator::Strapdown;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let navigator = Strapdown::<EarthFixed<Pair<f64>>, H2B4A2>::new(Pair::of(0.01))?;
+//! let mut state = navigator.start(&initial)?;
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -0.0981) };
+//! let mut rows = 0;
+//! for _ in 0..101 {
+//!     navigator.push_rows(&mut state, sample, |_, _| rows += 1)?;
+//! }
+//! navigator.finish_rows(&mut state, |_, _| rows += 1);
+//! assert_eq!((rows, state.integrated()), (101, 101));
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 mod check;
 mod correct;
@@ -50,7 +72,7 @@ pub struct Strapdown<F: Frame, W> {
     window: PhantomData<W>,
 }
 
-/// State of a strapdown navigator: `Copy`, to store, compare or try out a future.
+/// State of a strapdown navigator: `Copy`, so that it can be stored, compared or used for a prediction.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct State<F: Frame, W: Window> {
@@ -64,7 +86,7 @@ pub struct State<F: Frame, W: Window> {
     /// Samples of the block that the gravity history belongs to; 0 before the first.
     pub(crate) seeded: usize,
     pub(crate) intervals: W::Intervals<F::Real>,
-    /// What the blocks at the edges were fitted through.
+    /// The number of samples that first and last blocks were fitted to.
     pub(crate) edges: Edges<F::Real>,
 }
 
@@ -79,7 +101,7 @@ impl<F: Frame, W: Window> State<F, W> {
         self.integrated
     }
 
-    /// Samples that the blocks at the edges were fitted through.
+    /// The number of samples that first and last blocks were fitted to.
     pub fn edges(&self) -> Edges<F::Real> {
         self.edges
     }
@@ -88,6 +110,10 @@ impl<F: Frame, W: Window> State<F, W> {
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// With a sampling interval in seconds and the default limits. A number such as 0.01 is rounded before
     /// it gets into a [`Pair::new`]; [`Strapdown::from_rate_hz`] has it exactly.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn new(interval_s: Pair<R>) -> Result<Self, StartError> {
         Self::with_limits(interval_s, Limits::default())
     }
@@ -113,6 +139,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 
     /// With a sampling interval in seconds and limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn with_limits(interval_s: Pair<R>, limits: Limits<R>) -> Result<Self, StartError> {
         Ok(Self {
             interval: interval_s,
@@ -123,13 +153,17 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         })
     }
 
-    /// With a series of the order that [`plan::order`](crate::flight::plan::order) finds enough, at most the
-    /// window's own.
+    /// With a series of the order that [`plan::order`](crate::flight::plan::order) finds sufficient, at most
+    /// that of the window.
     pub fn with_order(self, order: usize) -> Self {
         Self { order: order.clamp(1, W::TERMS), ..self }
     }
 
     /// Starts from an initial solution, whose attitude is brought to unit length.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the initial solution is out of range, or navigation cannot start at its place.
     pub fn start(&self, initial: &Solution<R>) -> Result<State<F, W>, StartError> {
         let initial = admit_start(initial)?;
         let frame = F::start(&initial);
@@ -147,6 +181,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 
     /// Takes a sample; the state moves on whenever a block is complete.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample is refused. The state is then unchanged.
     #[inline(always)]
     pub fn push(&self, state: &mut State<F, W>, sample: Increment<R>) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
@@ -155,6 +193,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// Takes a sample and reads every row that it completes: the number of samples up to the row, and
     /// the navigation there.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample is refused. The state is then unchanged.
     #[inline(always)]
     pub fn push_rows(
         &self,
@@ -168,6 +210,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 
     /// Takes a sample and shows every block that it completes, step by step: the number of samples at
     /// the block's end, the body's motion over it, and the frame after it.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample is refused. The state is then unchanged.
     pub fn push_blocks(
         &self,
         state: &mut State<F, W>,
@@ -178,7 +224,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         self.take(state, sample, R::ZERO, &mut Blocks(see))
     }
 
-    /// Integrates what is pending: the stream is at its end. More samples may follow all the same.
+    /// Integrates all pending samples, at the end of the stream. More samples may follow nevertheless.
     pub fn finish(&self, state: &mut State<F, W>) {
         self.end(state, &mut Unread);
     }
@@ -215,7 +261,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
     }
 
-    /// One code for all readers.
+    /// One copy of the code for all readers.
     #[inline(never)]
     fn take_any(
         &self,
@@ -243,7 +289,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         excess: R,
         read: &mut Q,
     ) -> Result<(), Rejected> {
-        // The first sample after a block is refused where the block led astray, and then every other.
+        // If a block ended at a place where navigation cannot continue, every following sample is refused.
         if state.pending <= W::LOOKAHEAD {
             state.frame.check_place()?;
         }

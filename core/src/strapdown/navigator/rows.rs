@@ -1,14 +1,15 @@
-//! Who reads the rows inside a block: decided by type, so that nobody pays for what is not read. With a window
-//! for samples of any length it is decided at run time, so that there is one code for all readers.
+//! Whether and by whom rows inside a block are read: a type decides, so that rows that are not read cost nothing.
+//! With a window for samples of any length it is decided at run time, so that one copy of the code serves all
+//! readers.
 
 use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::frame::Frame;
 
-/// Who reads the rows.
+/// A reader of rows.
 pub(crate) trait Read<F: Frame> {
-    /// Whether rows inside a block are wanted at all.
+    /// Whether it reads rows inside a block.
     fn wants_rows(&self) -> bool;
-    /// A row: the number of samples that lie behind it, and the navigation there.
+    /// A row: the number of samples up to it, and the solution there.
     #[inline(always)]
     fn row(&mut self, _: u64, _: F::Output) {}
     /// A block: the number of samples at its end, the body's motion over it, and the frame there.
@@ -16,7 +17,7 @@ pub(crate) trait Read<F: Frame> {
     fn block(&mut self, _: u64, _: &BodyMotion<F::Real>, _: &F) {}
 }
 
-/// Nobody reads rows: the state at a block's end is all.
+/// Reads no rows; only the state at the end of a block is used.
 pub(crate) struct Unread;
 
 impl<F: Frame> Read<F> for Unread {

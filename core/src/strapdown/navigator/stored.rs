@@ -1,4 +1,4 @@
-//! The byte form of a navigator's state: stored and read back, it goes on bit for bit.
+//! The byte form of a navigator's state: a restored state continues bit for bit.
 
 use crate::math::real::Real;
 use crate::record::{Record, record};

@@ -1,4 +1,4 @@
-//! Blocks of samples that differ in length: rare, hence out of line, and linked only where asked for.
+//! Blocks of samples that differ in length: rare, hence out of line, and linked only if used.
 
 use super::rows::{Blocks, Every, Read, Unread};
 use super::{State, Strapdown};
@@ -18,16 +18,16 @@ use crate::strapdown::frame::block_time::BlockTime;
 use crate::strapdown::limits::Rejected;
 use crate::strapdown::mechanization::UnequalIntervals;
 
-/// Terms of the series where the plan's order need not do.
+/// Terms of the series where the planned order may be too low.
 const MOST_TERMS: usize = 16;
-/// Samples before and after a block at an edge: no more, since they need not be even.
+/// Samples before and after a block at an edge: few, because their intervals may differ much.
 const BESIDE_AT_EDGE: usize = 4;
-/// A block this many times as long as the nominal one is still of the plan's order.
+/// Up to this factor of the nominal duration a block uses the planned order.
 const PLANNED: f64 = 1.25;
-/// How much longer than the block before it a block may be that takes over its gravity history.
+/// Up to this factor of the duration of the block before it a block takes over its gravity history.
 const MOST_STRETCH: f64 = 2.0;
 
-/// Integrates a block: one code for all frames, windows and readers.
+/// Integrates a block: one copy of the code for all frames, windows and readers.
 #[inline(never)]
 fn integrate<R: Real>(
     fit: &Fit<R, MOST_SAMPLES>,
@@ -72,8 +72,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
     }
 
-    /// Where the samples begin that a whole window up to `end` looks at: with those before it that help,
-    /// where they are there and of the same interval.
+    /// The index of the first sample that a whole window up to `end` uses, with the samples before the window
+    /// that it can use if they are there and have the same interval.
     #[inline(always)]
     pub(crate) fn begin(&self, state: &State<F, W>, end: usize) -> usize {
         let begin = end - W::SAMPLES;
@@ -142,9 +142,9 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
 }
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
-    /// Takes a sample of its own interval in seconds, above 0 s and at most 1 s; the state moves on
-    /// whenever a block is complete. At the nominal interval it is `push`, bit for bit, and the two may
-    /// be mixed.
+    /// Takes a sample with its own interval in seconds, above 0 s and at most 1 s; the state moves on
+    /// whenever a block is complete. At the nominal interval the result is that of `push`, bit for bit, and the
+    /// two may be mixed.
     ///
     /// ```
     /// use schuler::math::compensated::Pair;
@@ -168,6 +168,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
     /// # Ok(())
     /// # }
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample or its interval is refused. The state is then unchanged.
     #[inline(always)]
     pub fn push_over(
         &self,
@@ -179,6 +183,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
     }
 
     /// The same, reading every row that the sample completes.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample or its interval is refused. The state is then unchanged.
     #[inline(always)]
     pub fn push_rows_over(
         &self,
@@ -191,6 +199,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
     }
 
     /// The same, showing every block that it completes, step by step.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the sample or its interval is refused. The state is then unchanged.
     pub fn push_blocks_over(
         &self,
         state: &mut State<F, Unequal<W>>,

@@ -1,8 +1,8 @@
-//! What the navigator is measured against.
+//! Algorithms that the navigator is compared with.
 //!
 //! | file | what it has |
 //! |---|---|
-//! | [`textbook`] | the two-sample algorithm of the textbooks, in either frame |
+//! | [`textbook`] | the algorithm of the textbooks, with one sample per step and the one before it, in either frame |
 //! | [`rk4`] | classical Runge-Kutta on instantaneous rates |
 
 pub mod rk4;

@@ -1,8 +1,24 @@
-//! Classical Runge-Kutta on instantaneous rates: the yardstick of those who have no increments.
+//! Classical Runge-Kutta on instantaneous rates: a standard of comparison for sensors without increments.
 //!
 //! A step spans two samples and takes the rates at its start, middle and end. The continuous equations
 //! in Earth-fixed axes (Groves, 2nd ed., §5.3) are integrated as they stand; the local error is of the
 //! fifth order in the step, the global one of the fourth.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Rates;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::reference::rk4::RungeKutta;
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let navigator = RungeKutta::new(0.01)?;
+//! let mut state = navigator.start(&initial)?;
+//! let rates = Rates { rate_ib_b: Vector::ZERO, specific_force_b: Vector::new(0.0, 0.0, -9.81) };
+//! navigator.step(&mut state, &[rates; 3])?;
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use crate::earth::ROTATION_RATE;
 use crate::math::compensated::Pair;
@@ -80,6 +96,10 @@ impl<R: Real> Moving<R> {
 
 impl<R: Real> RungeKutta<R> {
     /// With a sampling interval in seconds, half a step, and the default limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn new(interval_s: R) -> Result<Self, StartError> {
         let limits = Limits::default();
         Gate::new(interval_s, limits, 2)?;
@@ -87,6 +107,10 @@ impl<R: Real> RungeKutta<R> {
     }
 
     /// Starts from an initial solution, whose attitude is brought to unit length.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the initial solution is out of range, or navigation cannot start at its place.
     pub fn start(&self, initial: &Solution<R>) -> Result<RungeKuttaState<R>, StartError> {
         let initial = admit_start(initial)?;
         let at = initial.to_earth_fixed();
@@ -104,6 +128,10 @@ impl<R: Real> RungeKutta<R> {
 
     /// Steps over two samples, given the rates at the start, in the middle and at the end. What is
     /// refused leaves the state as it was.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected`] if the rates are refused. The state is then unchanged.
     #[inline]
     pub fn step(
         &self,

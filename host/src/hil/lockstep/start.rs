@@ -1,4 +1,4 @@
-//! Starting a target, and starting it again where its twin stands.
+//! Starting a target, and restarting it at the state of its twin.
 
 use super::super::conversation::Outcome;
 use super::super::parted::{MOST_REBOOTS, Parted};

@@ -1,4 +1,4 @@
-//! The golden chains' digests, as the audit program has to print them.
+//! The golden chains' digests, as the audit program must print them.
 
 use super::output::Output;
 use schuler_host::audit::chain::Chain;

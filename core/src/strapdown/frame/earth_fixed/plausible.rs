@@ -1,4 +1,4 @@
-//! Whether an Earth-fixed state that came back from bytes can be right.
+//! Checks of an Earth-fixed state that was restored from bytes.
 
 use super::EarthFixed;
 use crate::earth::SEMI_MAJOR_AXIS;

@@ -1,8 +1,8 @@
 //! Single precision to millimetres in Earth-fixed axes: the terms of the step that are carried to twice the
 //! digits.
 //!
-//! These are position and what is as large as it: its turn with the Earth, v T, and gravitation, whose
-//! direction is the position's own. What a block adds beyond them rounds at random and may.
+//! These are position and the terms of similar effect: its rotation with the Earth, v T, and gravitation, whose
+//! direction is that of the position. The other terms of a block round at random, which is harmless.
 
 use super::{EarthFixed, EarthFixedStep};
 use crate::earth::{ECCENTRICITY_SQUARED, EQUATORIAL_GRAVITY, ROTATION_RATE, SEMI_MAJOR_AXIS};
@@ -15,8 +15,8 @@ use crate::strapdown::frame::block_time::BlockTime;
 use crate::strapdown::frame::gravitation::Latitude;
 use crate::strapdown::frame::two_float::{Attitude, gravity_excess};
 
-/// Gravitation at a position, m/s², with its remainder: the latitude of the leading parts, and one step of
-/// Newton's with all the digits.
+/// Gravitation at a position, m/s², with its remainder, from the latitude of the leading parts and one Newton
+/// step with all digits.
 #[inline(never)]
 pub(super) fn gravitation<R: Real>(
     latitude: &mut Latitude<R>,
@@ -54,7 +54,7 @@ pub(super) fn gravitation<R: Real>(
     Vector::new(pulled(x), pulled(y), -(gravity * sine))
 }
 
-/// √x, to about twice the digits, and √x alone where it is next to nothing.
+/// √x, to about twice the digits; if it is nearly 0, without a remainder.
 #[inline(always)]
 pub(crate) fn root<R: Real>(x: Pair<R>) -> Pair<R> {
     let s = x.hi.sqrt();
@@ -64,7 +64,7 @@ pub(crate) fn root<R: Real>(x: Pair<R>) -> Pair<R> {
     Pair::sum(s, R::select(none, R::ZERO, ((x.hi - p) - e + x.lo) / twice))
 }
 
-/// A turn by Rz(−α), given sinα with its remainder and cosα − 1; what is returned is to be added.
+/// (Rz(−α) − 1)v, given sinα with its remainder and cosα − 1.
 #[inline(always)]
 fn turn_less_one<R: Real>(
     v: Vector<Pair<R>>,
@@ -116,7 +116,7 @@ impl<R: Real, S: Accumulate<Real = R>> EarthFixed<S> {
         let gained = pulled.zip(mean * t, |a, b| a + Pair::new(b));
         let velocity = self.velocity.pair().zip(gained, |a, b| a + b);
 
-        // All turn with the Earth, Rz(−ωT), in the same increments.
+        // All are rotated with the Earth, by Rz(−ωT), as increments.
         let sine = small_sine(time.turn);
         let turn = |v| turn_less_one(v, sine, time.turn_cosine_less_one);
         self.position.accumulate_pair(moved);

@@ -1,4 +1,4 @@
-//! Whether a local-level state that came back from bytes can be right.
+//! Checks of a local-level state that was restored from bytes.
 
 use super::{LocalLevel, curvature, gravity_excess};
 use crate::earth::Geodetic;

@@ -1,4 +1,4 @@
-//! Plumb gravity before the first block, from where the vehicle must have been.
+//! Plumb gravity before the first block, at the places where the vehicle must have been.
 
 use super::LocalLevel;
 use crate::earth::{self, EQUATORIAL_GRAVITY, ROTATION_RATE};
@@ -39,14 +39,14 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
                 let excess = Self::excess(sine, altitude, curvature(sine.value()));
                 self.plumb_change(excess, turn)
             };
-            // From G̃₀, which is the zero here.
+            // Relative to G̃₀.
             self.history =
                 GravityHistory::of([1, 2, 3, 4].map(|k| back(-(R::count(k) * time.time.hi))));
         }
     }
 }
 
-/// A sum a step on, to the digits that gravity is worked out with.
+/// A sum after an increment, to the digits with which gravity is computed.
 #[inline(always)]
 fn moved_by<S: Accumulate>(sum: S, by: S::Real) -> S {
     if S::TWO_FLOAT {

@@ -1,4 +1,4 @@
-//! The state inside a block, from the step that crossed it.
+//! The solution inside a block, from the step across it.
 
 use super::{LocalLevel, solution};
 use crate::earth::{self, EQUATORIAL_GRAVITY, Geodetic};
@@ -54,7 +54,7 @@ impl<R: Real, S: Accumulate<Real = R>> LocalLevel<S> {
         let once = step.matrix * body.position + fall * (time.square * tau2);
         let velocity = self.velocity.value();
         let t = time.time.hi * tau;
-        // A row is the end of nothing: ∫net as of a force that does not change.
+        // A row does not affect later steps, so ∫net for constant force is enough.
         let net = Net { once, twice: once * (t * R::of(1.0 / 3.0)) };
         let low = self.velocity.low_product(time.time, tau);
         let moved = displacement(velocity, &net, omega, t, low, false);

@@ -5,7 +5,7 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::sample::Increment;
 
-/// A sample compensated for what happens within it.
+/// A sample with its coning, sculling and rotation corrections.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Compensated<R> {

@@ -53,7 +53,7 @@ impl<R: Real> TextbookFrame for EarthFixedTextbook<R> {
     fn step(&mut self, h: R, body: &Compensated<R>) {
         let omega = R::of(ROTATION_RATE);
         let half = h * R::HALF;
-        // At the middle of the step, by what the last one changed.
+        // At the middle of the step, extrapolated by the change over the last one.
         let velocity = self.velocity + self.velocity_change * R::HALF;
         let position = self.position + velocity * half;
         // gᵉ = G − ω × (ω × r)
@@ -81,7 +81,7 @@ impl<R: Real> TextbookFrame for EarthFixedTextbook<R> {
     }
 
     fn hold_vertical(&mut self, altitude: R, down: R) {
-        // The latitude carried is that of the sample's middle.
+        // The latitude in the state is that of the sample's middle.
         let mut here = self.latitude;
         here.gravitation(self.position);
         let (up, lift) = here.vertical(self.position, altitude);

@@ -33,7 +33,7 @@ pub struct LocalLevelTextbook<R> {
     altitude_change: R,
 }
 
-/// Sine and cosine of an angle turned on by a small one.
+/// Sine and cosine of an angle that is increased by a small one.
 #[inline(always)]
 fn advance<R: Real>(sine: R, cosine: R, angle: R) -> (R, R) {
     // sin(φ + d) = s + c sin d − s(1 − cos d)
@@ -43,7 +43,7 @@ fn advance<R: Real>(sine: R, cosine: R, angle: R) -> (R, R) {
     (sine + (cosine * d - sine * versine), cosine - (sine * d + cosine * versine))
 }
 
-/// The longitude brought back into ±180°.
+/// The longitude wrapped to ±180°.
 #[inline(always)]
 fn folded<R: Real>(position: Geodetic<R>) -> Geodetic<R> {
     let outside = R::of(PI).less(position.longitude.abs());
@@ -51,7 +51,7 @@ fn folded<R: Real>(position: Geodetic<R>) -> Geodetic<R> {
     Geodetic { longitude, ..position }
 }
 
-/// Apart from the step, which hardly ever comes here.
+/// Out of line, because a step hardly ever needs it.
 #[inline(never)]
 fn turned<R: Real>(longitude: R) -> R {
     let mut longitude = Plain(longitude);
@@ -87,7 +87,7 @@ impl<R: Real> TextbookFrame for LocalLevelTextbook<R> {
 
     #[inline(always)]
     fn step(&mut self, h: R, body: &Compensated<R>) {
-        // At the middle of the step, by what the last one changed.
+        // At the middle of the step, extrapolated by the change over the last one.
         let velocity = self.velocity + self.velocity_change * R::HALF;
         let (s, c) = advance(self.sine, self.cosine, self.latitude_change * R::HALF);
         let altitude = self.position.altitude + self.altitude_change * R::HALF;

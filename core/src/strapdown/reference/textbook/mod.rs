@@ -1,9 +1,27 @@
 //! The textbook mechanization: a step per sample, with the previous sample for coning and sculling.
 //!
-//! The paper's own kind (§2.4: quaternion, attitude matrix, velocity, position), as the field knows it
-//! from Savage, *Strapdown Inertial Navigation Integration Algorithm Design*, J. Guidance 21 (1998), and
+//! It is the kind of algorithm that the paper uses (§2.4: quaternion, attitude matrix, velocity, position),
+//! after Savage, *Strapdown Inertial Navigation Integration Algorithm Design*, J. Guidance 21 (1998), and
 //! Groves, 2nd ed., §5.5; with the complete rotation of the velocity increment. Gravity, Coriolis and
-//! transport rate are taken at the middle of the step. No trigonometry: sines and cosines advance.
+//! transport rate are taken at the middle of the step. It calls no trigonometric function: sines and cosines
+//! advance by increments.
+//!
+//! ```
+//! use schuler::earth::Geodetic;
+//! use schuler::math::{compensated::Pair, vector::Vector};
+//! use schuler::sample::Increment;
+//! use schuler::solution::{Euler, Solution};
+//! use schuler::strapdown::mechanization::Mechanization;
+//! use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
+//!
+//! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
+//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
+//! let navigator = Textbook::<LocalLevelTextbook<f64>>::new(0.01)?;
+//! let mut state = navigator.start(&initial)?;
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -0.0981) };
+//! navigator.push(&mut state, sample)?;
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 pub mod body;
 pub mod earth_fixed;
@@ -32,12 +50,12 @@ use core::marker::PhantomData;
 pub trait TextbookFrame: Copy + Send + Plausible {
     /// The scalar it computes in.
     type Real: Real;
-    /// What it prints.
+    /// The form of its solution.
     type Output: Output<Self::Real>;
 
     /// From an initial solution.
     fn start(initial: &Solution<Self::Real>) -> Self;
-    /// Makes the changes over the previous sample those over one longer by a factor.
+    /// Scales the changes over the previous sample to a sample that is longer by a factor.
     fn stretch(&mut self, factor: Self::Real);
     /// Steps over one sample of `interval_s`.
     fn step(&mut self, interval_s: Self::Real, body: &Compensated<Self::Real>);
@@ -45,7 +63,11 @@ pub trait TextbookFrame: Copy + Send + Plausible {
     fn hold_vertical(&mut self, altitude: Self::Real, down: Self::Real);
     /// Adds a correction that is finite and not too large; what is refused leaves half of one.
     fn correct(&mut self, correction: &Correction<Self::Real>) -> Result<(), Rejected>;
-    /// Whether navigation can go on from where it stands.
+    /// Whether navigation can continue at its place.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejected::Pole`] or [`Rejected::Place`].
     fn check_place(&self) -> Result<(), Rejected>;
     /// The state as it stands.
     fn output(&self) -> Self::Output;
@@ -71,6 +93,10 @@ pub struct TextbookState<F: TextbookFrame> {
 
 impl<F: TextbookFrame> Textbook<F> {
     /// With a sampling interval in seconds and the default limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn new(interval_s: F::Real) -> Result<Self, StartError> {
         Self::with_limits(interval_s, Limits::default())
     }
@@ -89,6 +115,10 @@ impl<F: TextbookFrame> Textbook<F> {
     }
 
     /// With a sampling interval in seconds and limits.
+    ///
+    /// # Errors
+    ///
+    /// [`StartError`] if the interval or a limit is out of range.
     pub fn with_limits(interval_s: F::Real, limits: Limits<F::Real>) -> Result<Self, StartError> {
         Ok(Self {
             interval: interval_s,
@@ -97,7 +127,7 @@ impl<F: TextbookFrame> Textbook<F> {
         })
     }
 
-    /// Steps over a sample, if it can be right; the body's motion over it.
+    /// Steps over a sample if it can be right; returns the body's motion over it.
     #[inline(always)]
     fn step(
         &self,
@@ -127,7 +157,7 @@ impl<F: TextbookFrame> Textbook<F> {
         }
         self.gate.admit_over(&sample, interval_s)?;
         state.frame.check_place()?;
-        // What is kept of a sample is what it would be over the nominal interval.
+        // The sample is kept as it would be over the nominal interval.
         let longer = interval_s / self.interval;
         let shorter = self.interval / interval_s;
         state.frame.stretch(longer);
@@ -140,7 +170,7 @@ impl<F: TextbookFrame> Textbook<F> {
     }
 }
 
-/// A sample of steady motion over an interval longer by a factor.
+/// A sample of the same steady motion over an interval that is longer by a factor.
 fn scaled<R: Real>(sample: &Increment<R>, factor: R) -> Increment<R> {
     Increment { angle_b: sample.angle_b * factor, velocity_b: sample.velocity_b * factor }
 }

@@ -32,7 +32,7 @@ impl<R: Real> Default for Limits<R> {
     }
 }
 
-/// Why a sample, a vertical to hold or a correction was not taken. The state is as it was, bit for bit.
+/// Why a sample, or a vertical to hold, was not taken. The state is as it was, bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -53,9 +53,6 @@ pub enum Rejected {
     /// An angle increment within the limit, but so large that a block of such samples would turn by more
     /// than [`MOST_TURN`]: a window with a shorter block, or samples more often, would do.
     Turn,
-    /// A correction that is not finite, above 10 km, 10 km/s or half a turn, or whose result is no state
-    /// to go on from.
-    Correction,
 }
 
 impl core::fmt::Display for Rejected {
@@ -73,10 +70,6 @@ impl core::fmt::Display for Rejected {
             Self::Turn => {
                 "the angle increment turns a block by over 2 rad: \
                  a window with a shorter block or a higher rate would do"
-            }
-            Self::Correction => {
-                "the correction must be finite, within 10 km, 10 km/s and half a turn, \
-                 and leave a state to go on from"
             }
         })
     }

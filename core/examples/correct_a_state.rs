@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     // What cannot be right is refused and changes nothing.
     let before = navigator.output(&state);
     let nonsense = Correction { position_ned: off * f64::NAN, ..Correction::ZERO };
-    assert_eq!(navigator.correct(&mut state, &nonsense), Err(Rejected::Correction));
+    assert_eq!(navigator.correct(&mut state, &nonsense), Err(CorrectionError::Size));
     assert_eq!(navigator.output(&state), before);
     Ok(())
 }

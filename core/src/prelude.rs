@@ -8,7 +8,7 @@ pub use crate::navigators::*;
 pub use crate::readout::Readout;
 pub use crate::sample::{Increment, RateIntegrator, Rates};
 pub use crate::solution::{EarthFixedSolution, Euler, Output, Solution};
-pub use crate::strapdown::correction::Correction;
+pub use crate::strapdown::correction::{Correction, CorrectionError};
 pub use crate::strapdown::limits::{Limits, Rejected, StartError};
 pub use crate::strapdown::mechanization::{Mechanization, UnequalIntervals};
 pub use crate::strapdown::navigator::Strapdown;

@@ -86,7 +86,6 @@ codes! {
     Rejected(Rejected Interval) = 18,
     Damaged = 19,
     Rejected(Rejected Turn) = 20,
-    Rejected(Rejected Correction) = 21,
 }
 
 impl Display for Refusal {

@@ -52,7 +52,7 @@ impl<R: Real> Default for Limits<R> {
     }
 }
 
-/// Why a sample, a held vertical or a correction was refused. The state is unchanged, bit for bit.
+/// Why a sample or a held vertical was refused. The state is unchanged, bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -73,9 +73,6 @@ pub enum Rejected {
     /// An angle increment within the limit, but so large that a block of such samples would turn by more
     /// than [`MOST_TURN`]. Use a window with a shorter block, or a higher rate.
     Turn,
-    /// A correction that is not finite, above 10 km, 10 km/s or half a turn, or whose result is no state
-    /// to go on from.
-    Correction,
 }
 
 impl core::fmt::Display for Rejected {
@@ -93,10 +90,6 @@ impl core::fmt::Display for Rejected {
             Self::Turn => {
                 "the angle increment turns a block by over 2 rad: \
                  a window with a shorter block or a higher rate would do"
-            }
-            Self::Correction => {
-                "the correction must be finite, within 10 km, 10 km/s and half a turn, \
-                 and leave a state to go on from"
             }
         })
     }

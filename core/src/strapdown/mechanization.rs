@@ -26,7 +26,7 @@ use crate::sample::Increment;
 use crate::solution::Output;
 use crate::solution::Solution;
 use crate::strapdown::block::newton::Edges;
-use crate::strapdown::correction::Correction;
+use crate::strapdown::correction::{Correction, CorrectionError};
 use crate::strapdown::limits::{Rejected, StartError};
 use crate::strapdown::plausible::Damaged;
 
@@ -105,14 +105,13 @@ pub trait Mechanization {
     ///
     /// # Errors
     ///
-    /// [`Rejected::Correction`] where it is not finite or too large, [`Rejected::Pole`] where local-level
-    /// axes are within 64 times its length of a pole, and [`Rejected::Place`] where it would lead too far up
-    /// or down. The state is as it was then, bit for bit.
+    /// Where it is not finite or too large, where local-level axes end, or where it leads too far up or
+    /// down. The state is as it was then, bit for bit.
     fn correct(
         &self,
         state: &mut Self::State,
         correction: &Correction<Self::Real>,
-    ) -> Result<(), Rejected>;
+    ) -> Result<(), CorrectionError>;
     /// Checks whether a restored state can be a state of this navigator. Call it for every state that was
     /// written back, before navigation continues.
     ///

@@ -11,11 +11,10 @@ use schuler::record::Record;
 use schuler::solution::{Euler, Output as _, Solution};
 use schuler::strapdown::block::unequal::Unequal;
 use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A0, Window};
-use schuler::strapdown::correction::{Correction, MOST_POSITION, MOST_VELOCITY};
+use schuler::strapdown::correction::{Correction, CorrectionError, MOST_POSITION, MOST_VELOCITY};
 use schuler::strapdown::frame::Frame;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::local_level::LocalLevel;
-use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
@@ -194,13 +193,13 @@ fn refuses<M: Mechanization<Real = f64, State: Record>>(mechanization: &M) {
                 let Correction { position_ned, velocity_ned, attitude_ned } = &mut correction;
                 let parts = [position_ned, velocity_ned, attitude_ned];
                 *parts.into_iter().nth(part).unwrap().each_mut()[axis] = wrong;
-                refused(correction, Rejected::Correction);
+                refused(correction, CorrectionError::Size);
             }
         }
     }
     // Each component within its limit, but not all of them together.
     let long = Vector::new(0.7, 0.7, 0.7) * MOST_POSITION;
-    refused(Correction { position_ned: long, ..Correction::ZERO }, Rejected::Correction);
+    refused(Correction { position_ned: long, ..Correction::ZERO }, CorrectionError::Size);
 }
 
 #[test]
@@ -222,7 +221,7 @@ fn where_navigation_cannot_go() {
         mechanization: &M,
         initial: &Solution<f64>,
         position_ned: Vector<f64>,
-        expected: Result<(), Rejected>,
+        expected: Result<(), CorrectionError>,
     ) {
         let mut state = mechanization.start(initial).unwrap();
         let before = bits(&state);
@@ -236,14 +235,14 @@ fn where_navigation_cannot_go() {
     let textbook = LocalTextbook::from_rate_hz(100.0).unwrap();
     // 10 km from the pole, 200 m towards it.
     let (polar, north) = (initial(PI / 2.0 - 1e4 / 6.4e6, 0.0), Vector::new(200.0, 0.0, 0.0));
-    check(&local, &polar, north, Err(Rejected::Pole));
-    check(&textbook, &polar, north, Err(Rejected::Pole));
+    check(&local, &polar, north, Err(CorrectionError::Pole));
+    check(&textbook, &polar, north, Err(CorrectionError::Pole));
     check(&earth, &polar, north, Ok(()));
     check(&local, &polar, north * 0.1, Ok(()));
     let (high, up) = (initial(0.5, 999_000.0), Vector::new(0.0, 0.0, -2000.0));
-    check(&local, &high, up, Err(Rejected::Place));
-    check(&textbook, &high, up, Err(Rejected::Place));
-    check(&earth, &initial(0.0, 999_000.0), up, Err(Rejected::Place));
+    check(&local, &high, up, Err(CorrectionError::Place));
+    check(&textbook, &high, up, Err(CorrectionError::Place));
+    check(&earth, &initial(0.0, 999_000.0), up, Err(CorrectionError::Place));
     check(&local, &high, -up, Ok(()));
 }
 

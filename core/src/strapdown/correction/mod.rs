@@ -85,10 +85,45 @@ impl<R: Real> Correction<R> {
     }
 
     /// Whether it is finite and not too large.
-    pub(crate) fn admit(&self) -> Result<(), Rejected> {
+    pub(crate) fn admit(&self) -> Result<(), CorrectionError> {
         let admitted = self.position_ned.norm().is_within(R::of(MOST_POSITION))
             & self.velocity_ned.norm().is_within(R::of(MOST_VELOCITY))
             & self.attitude_ned.norm().is_within(R::of(core::f64::consts::PI));
-        if admitted { Ok(()) } else { Err(Rejected::Correction) }
+        if admitted { Ok(()) } else { Err(CorrectionError::Size) }
+    }
+}
+
+/// Why a correction was not taken. The state is as it was, bit for bit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum CorrectionError {
+    /// It is not finite, or above [`MOST_POSITION`], [`MOST_VELOCITY`] or half a turn.
+    Size,
+    /// Local-level axes are within 64 times its length of a pole, or would come within 640 m of one.
+    Pole,
+    /// It leads farther than 1000 km from the ellipsoid.
+    Place,
+    /// What comes out is no state to go on from: a speed that is not met, above all.
+    State,
+}
+
+impl core::fmt::Display for CorrectionError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Size => "the correction must be finite, within 10 km, 10 km/s and half a turn",
+            Self::Pole => "the correction is too large so near a pole; earth-fixed takes it",
+            Self::Place => "the correction leads over 1000 km from the ellipsoid",
+            Self::State => "the corrected state is none to go on from",
+        })
+    }
+}
+
+impl core::error::Error for CorrectionError {}
+
+impl From<Rejected> for CorrectionError {
+    /// Why a frame cannot go on from a place.
+    fn from(rejected: Rejected) -> Self {
+        if rejected == Rejected::Pole { Self::Pole } else { Self::Place }
     }
 }

@@ -4,9 +4,8 @@ use super::{State, Strapdown};
 use crate::math::real::Real;
 use crate::strapdown::block::intervals::Intervals as _;
 use crate::strapdown::block::window::Window;
-use crate::strapdown::correction::Correction;
+use crate::strapdown::correction::{Correction, CorrectionError};
 use crate::strapdown::frame::Frame;
-use crate::strapdown::limits::Rejected;
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// Corrects position, velocity and attitude as they stand in [`State::output`]; samples that are
@@ -20,7 +19,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         &self,
         state: &mut State<F, W>,
         correction: &Correction<R>,
-    ) -> Result<(), Rejected> {
+    ) -> Result<(), CorrectionError> {
         correction.admit()?;
         if correction.is_zero() {
             return Ok(());
@@ -28,7 +27,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let mut frame = state.frame;
         frame.correct(correction)?;
         if !frame.is_plausible() {
-            return Err(Rejected::Correction);
+            return Err(CorrectionError::State);
         }
         state.frame = frame;
         if correction.moves() {

@@ -5,7 +5,7 @@ use crate::solution::Solution;
 use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::block::newton::Edges;
 use crate::strapdown::block::window::Window;
-use crate::strapdown::correction::Correction;
+use crate::strapdown::correction::{Correction, CorrectionError};
 use crate::strapdown::frame::Frame;
 use crate::strapdown::gate::admit_held;
 use crate::strapdown::limits::{Rejected, StartError};
@@ -71,7 +71,7 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
         &self,
         state: &mut State<F, W>,
         correction: &Correction<F::Real>,
-    ) -> Result<(), Rejected> {
+    ) -> Result<(), CorrectionError> {
         Strapdown::correct(self, state, correction)
     }
     fn check(&self, state: &State<F, W>) -> Result<(), Damaged> {

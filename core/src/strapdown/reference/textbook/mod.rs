@@ -36,7 +36,7 @@ use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::solution::Output;
 use crate::solution::Solution;
-use crate::strapdown::correction::Correction;
+use crate::strapdown::correction::{Correction, CorrectionError};
 use crate::strapdown::gate::{Gate, admit_held, admit_start, interval_of};
 use crate::strapdown::limits::Limits;
 use crate::strapdown::limits::{Rejected, StartError};
@@ -283,7 +283,7 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         &self,
         state: &mut TextbookState<F>,
         correction: &Correction<F::Real>,
-    ) -> Result<(), Rejected> {
+    ) -> Result<(), CorrectionError> {
         correction.admit()?;
         if correction.is_zero() {
             return Ok(());
@@ -291,7 +291,7 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         let mut frame = state.frame;
         frame.correct(correction)?;
         if !frame.is_plausible() {
-            return Err(Rejected::Correction);
+            return Err(CorrectionError::State);
         }
         state.frame = frame;
         Ok(())

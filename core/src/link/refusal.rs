@@ -4,7 +4,7 @@
 //! use schuler::link::refusal::Refusal;
 //!
 //! for &refusal in Refusal::ALL {
-//!     assert_eq!(Refusal::of(refusal.code()), Some(refusal));
+//!     assert_eq!(Refusal::from_code(refusal.code()), Some(refusal));
 //! }
 //! ```
 

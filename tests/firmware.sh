@@ -19,7 +19,7 @@ if ! has_qemu; then
     exit 0
 fi
 
-runner() { cargo run --quiet --locked --package schuler-qemu -- "$@"; }
+runner() { tool schuler-qemu schuler-qemu "$@"; }
 
 host=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 images=$(realpath -m "${CARGO_TARGET_DIR:-tests/firmware/target}")

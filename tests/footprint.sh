@@ -11,7 +11,7 @@ rooms() { nm --demangle "$1" | grep -o 'schuler::[a-z_]*' | sort -u | sed 's/sch
 image="${CARGO_TARGET_DIR:-target}/$target/release/footprint"
 fail() { echo "footprint: $*" >&2; exit 1; }
 
-build_package "$target" "" || {
+build_package "$target" full || {
     skip_without_compiler $?
     exit 0
 }
@@ -29,7 +29,7 @@ fi
 bytes=$(size -A "$image" | awk '$1 == ".text" || $1 == ".rodata" { sum += $2 } END { print sum }')
 echo "navigator: $bytes bytes of code and constants; rooms: $navigator"
 
-build_package "$target" emulator
+build_package "$target" emulator,full
 with_emulator=$(rooms "$image")
 case " $with_emulator " in
 *" noise "* | *" sensor "*) echo "with an error term: rooms $with_emulator" ;;

@@ -6,6 +6,7 @@
 # Without Valgrind or Gungraun's runner it skips with a line that says so; with CI set it installs them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. tests/target.sh
 
 version=$(sed -n '/^name = "gungraun"$/{n;s/version = "\(.*\)"/\1/p}' Cargo.lock)
 tools=$(realpath -m "${CARGO_TARGET_DIR:-target}/tools")
@@ -36,5 +37,4 @@ trap 'rm -rf "$summaries"' EXIT
 # A home of its own: counts of an earlier run would be mixed into the summaries.
 GUNGRAUN_HOME="$summaries/home" cargo bench --quiet --locked --package schuler-speed \
     --bench instructions -- --output-format=json >"$summaries/counts.json"
-cargo run --quiet --locked --package schuler-tests --bin instructions -- \
-    "$@" tests/instructions.toml <"$summaries/counts.json"
+tool schuler-tests instructions "$@" tests/instructions.toml <"$summaries/counts.json"

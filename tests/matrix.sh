@@ -20,7 +20,7 @@ if [ ${#packages[@]} -gt 0 ] && has apt-get && [ "$(id -u)" = 0 ]; then
         apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null || true
 fi
 
-cargo run --quiet --locked --package schuler-tests --bin matrix -- ${CI:+--require-all} "$@"
+tool schuler-tests matrix ${CI:+--require-all} "$@"
 tests/fused.sh "${CARGO_TARGET_DIR:-target}/audit/images" || {
     if [ $? != 2 ] || [ -n "${CI:-}" ]; then exit 1; fi
     echo "skipped: instructions are not looked at"

@@ -30,17 +30,18 @@ skip_without_compiler() {
     echo "skipped: no compiler for $target (rustup target add $target)"
 }
 
-# build_core TARGET FEATURES
-build_core() { build_package "$1" "$2" --package schuler --no-default-features; }
+# build_core TARGET FEATURES [OPTION …]
+build_core() { build_package "$1" "$2" --package schuler --no-default-features "${@:3}"; }
 
 # What the builders below return where no compiler knows the target; otherwise it is cargo's own status.
 no_compiler=3
 
-# build_package TARGET FEATURES [OPTION …]: the package of this directory.
+# build_package TARGET FEATURES [OPTION …]: the package of this directory. The variable cargo_command may
+# hold another command than a release build.
 build_package() {
     target=$1
     prepare_target || true
-    local arguments=(build --release --locked --target "$target" --features "$2" "${@:3}")
+    local arguments=(${cargo_command:-build --release} --locked --target "$target" --features "$2" "${@:3}")
     if rustc --print target-libdir --target "$target" 2>/dev/null | xargs -r test -d; then
         cargo "${arguments[@]}"
     elif [ -x /usr/bin/cargo ] && [ -x /usr/bin/rustc ]; then
@@ -50,5 +51,15 @@ build_package() {
             /usr/bin/cargo "${arguments[@]}" -Z build-std=core
     else
         return $no_compiler
+    fi
+}
+
+# tool PACKAGE NAME [ARGUMENT …]: a program of the tests, as tests/run has built it beside the tests; else it
+# is built. Alone it takes other features of other people's crates, and with them another build of the host.
+tool() {
+    if [ -n "${SCHULER_TOOLS:-}" ]; then
+        "$SCHULER_TOOLS/$2" "${@:3}"
+    else
+        cargo run --quiet --locked --package "$1" --bin "$2" -- "${@:3}"
     fi
 }

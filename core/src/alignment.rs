@@ -23,6 +23,7 @@
 //! ```
 
 pub mod judge;
+pub mod place;
 mod scatter;
 pub mod signs;
 pub mod still;

@@ -39,6 +39,7 @@ pub struct Digest {
 const MULTIPLIER: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// More words than any run can have: a state of 100 words every nanosecond for a year.
+#[cfg(feature = "link")]
 const MOST_WORDS: u64 = 1 << 62;
 
 impl Default for Digest {
@@ -69,6 +70,7 @@ impl Digest {
     }
 }
 
+#[cfg(feature = "link")]
 impl Digest {
     /// Whether it can be a digest: lanes may have any value, but the number of words is limited.
     pub(crate) fn is_plausible(&self) -> bool {

@@ -23,10 +23,11 @@
 //! assert!(judgement.contradiction.is_some());
 //! ```
 
+use super::place::Place;
 use super::signs::{self, Signs};
 use super::still::Readings;
 use super::units::{Explanations, ForceUnit, Kind, RateUnit};
-use crate::earth::{self, Geodetic};
+use crate::earth;
 use crate::math::real::Scalar;
 
 /// Specific force may differ from gravity by this fraction of it: a poor accelerometer's bias, 0.1 g.
@@ -46,40 +47,6 @@ const STEADY: f64 = 3000.0;
 const STEADY_FORCE: f64 = 0.005;
 /// At rest, specific force varies by less than this fraction of itself from piece to piece.
 const SPREAD_LIMIT: f64 = 0.03;
-
-/// What is known of a place where a unit stands still.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Place<R> {
-    /// Where.
-    pub position: Geodetic<R>,
-    /// Normal gravity γ, m/s².
-    pub gravity: R,
-    /// Earth's rate along the upward vertical, ω_ie sinφ, rad/s.
-    pub rate_up: R,
-    /// Earth's rate across it, ω_ie cosφ, rad/s.
-    pub rate_north: R,
-}
-
-impl<R: Scalar> Place<R> {
-    /// At a position.
-    pub fn new(position: Geodetic<R>) -> Self {
-        let (sine, cosine) = position.latitude.sin_cos();
-        let rotation = earth::rotation_ned(sine, cosine);
-        Self {
-            position,
-            gravity: earth::gravity(sine, position.altitude),
-            rate_up: -rotation.z,
-            rate_north: rotation.x,
-        }
-    }
-
-    /// The smallest gyro error that explains a rate along and across the vertical, rad/s.
-    pub fn least_bias(&self, up: R, across: R) -> R {
-        let (up, across) = (up - self.rate_up, across - self.rate_north);
-        (up * up + across * across).sqrt()
-    }
-}
 
 /// A contradiction in readings at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]

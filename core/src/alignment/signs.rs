@@ -3,7 +3,7 @@
 //! ω·f/|f| = ω_ie sinφ at rest: a reversed axis changes the product, and a wrong latitude changes its
 //! expected value.
 
-use super::judge::Place;
+use super::place::Place;
 use crate::earth;
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;

@@ -168,6 +168,7 @@ fn parse(file: &str, text: &str) -> Result<Vec<Function>, InputError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use schuler::math::real::Real;
 
     #[test]
     fn one_ulp_of_one_value_is_another_digest() {

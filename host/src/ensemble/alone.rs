@@ -1,7 +1,7 @@
 //! One run by itself.
 
-use super::group::{Failure, Group};
 use super::held::Held;
+use super::runs::{Failure, Group};
 use crate::lanes::abreast::Refused;
 use crate::navigator::Navigate;
 use crate::source::{Samples, Source};

@@ -2,8 +2,9 @@
 //!
 //! A run depends only on its number, so the result does not depend on threads or lanes.
 
-use super::group::{Failure, Ground, Group, Unit};
+use super::group::{Ground, Unit};
 use super::held::Held;
+use super::runs::{Failure, Group};
 use crate::navigator::Unavailable;
 use crate::scene::Vertical;
 use schuler::drift::compare::{Drift, drift};

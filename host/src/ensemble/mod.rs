@@ -12,6 +12,7 @@ pub mod held;
 pub mod pace;
 mod pack;
 pub mod rounding;
+pub mod runs;
 pub mod statistics;
 pub mod table;
 

@@ -1,7 +1,7 @@
 //! Runs in lanes. A lane whose run has failed continues as a copy of one whose run has not.
 
-use super::group::{Failure, Group};
 use super::held::Held;
+use super::runs::{Failure, Group};
 use crate::lanes::abreast::{Abreast, Packed, Refused, pack, replaced};
 use crate::source::{Samples, Source};
 use crate::timing;

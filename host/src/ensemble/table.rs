@@ -1,6 +1,6 @@
 //! The ensemble beside theory, as a table.
 
-use super::group::Failure;
+use super::runs::Failure;
 use super::statistics::{Comparison, RISK, Test, Verdict};
 use crate::flight::Nine;
 use crate::report::number::{parameter, rounded, short};

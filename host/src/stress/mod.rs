@@ -47,10 +47,12 @@ use case::{Case, Check, number};
 pub fn cases() -> Vec<Case> {
     let groups = [
         time::cases,
+        link::cases,
         motion::cases,
         unresolved::cases,
         place::cases,
         numbers::cases,
+        refused::cases,
         rounding::cases,
         aged::cases,
         fuzz::cases,

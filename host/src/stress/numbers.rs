@@ -2,7 +2,6 @@
 
 use super::case::{Case, Check, Outcome};
 use super::floor;
-use super::refused;
 use crate::navigator::{self, Navigate, Unavailable};
 use crate::progress::CaseProgress;
 use crate::scene::{Axes, Navigator};
@@ -33,7 +32,6 @@ pub fn cases() -> Vec<Case> {
         add("a start of subnormals", |frame, _| subnormal_start(frame));
     }
     cases.push(Case::new(GROUP, "zeros on every input", |_| free_fall()));
-    cases.extend(refused::cases());
     cases
 }
 

@@ -3,7 +3,6 @@
 use super::case::{Case, Check, Outcome};
 use super::floor::{self, Parabola, UNIT};
 use super::flown::{built_in, fly, watch};
-use super::link;
 use crate::progress::CaseProgress;
 use crate::scene::{Axes, Precision, Scene, Vertical, WindowShape};
 use crate::simulate::largest;
@@ -67,7 +66,6 @@ pub fn cases() -> Vec<Case> {
         }
     }
     cases.push(Case::new(GROUP, "1 d at rest, held, f32", rest_in_single_precision));
-    cases.extend(link::cases());
     cases
 }
 

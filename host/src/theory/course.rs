@@ -1,8 +1,7 @@
 //! The input to a scene's theory: the true motion and the sources of error.
 
-use super::limits;
-use super::moments::Covariance;
 use super::sources::{SENSORS, Sources, unit};
+use super::steps;
 use crate::scene::build::HARMONICS;
 use crate::scene::{Scene, Vertical};
 use schuler::drift::compare::Drift;
@@ -17,6 +16,9 @@ use schuler::trajectory::{Motion, Trajectory};
 const LONGEST_STEP_S: f64 = 2.0;
 /// The largest turn of the body in a step, rad.
 const LARGEST_TURN: f64 = 0.2;
+
+/// A symmetric matrix over position, velocity and attitude, north, east and down of each.
+pub type Covariance = [[f64; 9]; 9];
 
 /// A scene, as theory sees it.
 #[derive(Clone, Debug)]
@@ -62,7 +64,7 @@ impl Course {
             (drift.position_ned.z, drift.velocity_ned.z) = (0.0, 0.0);
         }
         let shift = MeridianShift::new(&trajectory.at(0.0));
-        let coarse = limits::coarse(&trajectory, &sources, scene.duration_s);
+        let coarse = steps::coarse(&trajectory, &sources, scene.duration_s);
         let (random, bound) = (sources.are_random(), trajectory.bound());
         Ok(Self {
             random,

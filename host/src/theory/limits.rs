@@ -2,11 +2,10 @@
 
 use super::moments::Moments;
 use super::sources::{SENSORS, Sources};
+use super::steps::step;
 use crate::report::number::{Quantity, rounded};
 use crate::units::{ARCSECOND, DEGREE};
 use schuler::earth::EQUATORIAL_GRAVITY;
-use schuler::imu;
-use schuler::trajectory::Trajectory;
 use std::fmt::{self, Display, Formatter};
 
 /// Rotations above this are not small, rad: sin ψ = ψ(1 − ψ²/6), cos ψ = 1 − ψ²/2 and the errors that
@@ -20,12 +19,6 @@ pub const SHARE: f64 = 0.1;
 const LEAST: [f64; 2] = [1e-6, 1e-8];
 /// Steps matter above this share of the standard deviation.
 const STEPS_SHARE: f64 = 0.3;
-/// The rounding of a step is white noise where the signal crosses so many steps per sample, or noise
-/// of so many steps shakes it: its next value then keeps e^{−2π²·½²} = 0.7 % of the last one.
-const CROSSED: f64 = 2.0;
-const SHAKEN: f64 = 0.5;
-/// Instants at which a course's readings are looked at.
-const LOOKS: u32 = 64;
 /// Errors of attitude act on velocity for so long at most: Schuler's period over 2π, s.
 const SCHULER_S: f64 = 806.0;
 
@@ -81,38 +74,6 @@ impl Display for Outside {
 pub fn shifted(moments: &Moments, share: f64) -> [bool; 9] {
     let second = moments.second.into_array();
     std::array::from_fn(|i| second[i].abs() > share * moments.covariance[i][i].max(0.0).sqrt())
-}
-
-/// Which sensors' steps are not crossed by what they should read.
-pub fn coarse(
-    trajectory: &impl Trajectory<f64>,
-    sources: &Sources,
-    duration_s: f64,
-) -> [bool; SENSORS] {
-    let interval_s = sources.sample_interval_s;
-    let mut squares = [0.0; SENSORS];
-    if sources.quantization == squares {
-        return [false; SENSORS];
-    }
-    for look in 0..LOOKS {
-        let time_s = duration_s * f64::from(look) / f64::from(LOOKS);
-        let rates = imu::rates(&trajectory.at(time_s));
-        let [x, y, z] = rates.rate_ib_b.into_array();
-        let [u, v, w] = rates.specific_force_b.into_array();
-        for (square, reading) in squares.iter_mut().zip([x, y, z, u, v, w]) {
-            *square += reading * reading / f64::from(LOOKS);
-        }
-    }
-    std::array::from_fn(|i| {
-        let step = step(sources, i);
-        let crossed = squares[i].sqrt() * interval_s >= CROSSED * step;
-        let shaken = (sources.white[i] * interval_s).sqrt() >= SHAKEN * step;
-        step > 0.0 && !crossed && !shaken
-    })
-}
-
-fn step(sources: &Sources, sensor: usize) -> f64 {
-    (12.0 * sources.quantization[sensor]).sqrt()
 }
 
 /// What ends the model where the moments are these, a time after the start; `share` is what

@@ -1,7 +1,7 @@
 //! Steps through a course by Kutta's 3/8 rule, whose stages lie at thirds of the step.
 
-use super::course::{Course, Instant};
-use super::moments::{Covariance, Fast, Moments};
+use super::course::{Course, Covariance, Instant};
+use super::moments::{Fast, Moments};
 use schuler::drift::linear::ErrorState;
 
 /// The longest step over the time since the start: moments begin as powers of time, up to the sixth.

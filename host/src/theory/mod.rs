@@ -11,9 +11,10 @@ mod limits;
 mod march;
 mod moments;
 mod sources;
+mod steps;
 
+pub use course::Covariance;
 pub use limits::Outside;
-pub use moments::Covariance;
 
 use crate::scene::Scene;
 use course::{Course, array};

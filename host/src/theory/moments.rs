@@ -3,14 +3,11 @@
 //! Sensor errors stay independent scalars, so their own covariance is known in closed form. Only their
 //! covariance with the navigation errors is integrated, nine numbers for each.
 
-use super::course::{Course, Instant};
+use super::course::{Course, Covariance, Instant};
 use super::sources::{SENSORS, Sources, unit};
 use schuler::drift::linear::ErrorState;
 use schuler::math::quaternion::Matrix;
 use schuler::math::vector::Vector;
-
-/// A symmetric matrix over position, velocity and attitude, north, east and down of each.
-pub type Covariance = [[f64; 9]; 9];
 
 /// First and second moments of the error.
 #[derive(Clone, Default)]

@@ -2,7 +2,6 @@
 
 mod paper;
 mod turns;
-mod units;
 
 use schuler::imu::Quadrature;
 use schuler::math::compensated::Pair;
@@ -11,7 +10,7 @@ use schuler::sensor::emulator::Emulator;
 use schuler::sensor::parameter::ParameterError;
 use schuler::sensor::triad::Triad;
 use schuler::trajectory::Trajectory;
-use schuler::trajectory::harmonic::{Channel, Channels, Harmonic, HarmonicTrajectory};
+use schuler::trajectory::harmonic::{Channels, HarmonicTrajectory};
 
 /// Seed of everything random.
 pub const SEED: u64 = 1;
@@ -67,24 +66,5 @@ impl Scene {
     pub fn emulator(&self) -> Result<Emulator<f64, Triad<f64>, Triad<f64>>, ParameterError> {
         let timing = Timing::new(1.0 / f64::from(self.rate_hz), self.samples().into())?;
         Ok(Emulator::new((self.gyro)(timing)?, (self.accelerometer)(timing)?, timing))
-    }
-}
-
-/// A channel in files' units, each of so many radians or metres.
-const fn channel(
-    offset: f64,
-    rate: f64,
-    harmonics: &'static [Harmonic<f64>],
-    unit: f64,
-) -> Channel<'static, f64> {
-    Channel { offset: offset * unit, rate: rate * unit, harmonics }
-}
-
-/// An amplitude in the channel's unit, a period in seconds, a phase in degrees.
-const fn harmonic(amplitude: f64, period_s: f64, phase_deg: f64, unit: f64) -> Harmonic<f64> {
-    Harmonic {
-        amplitude: amplitude * unit,
-        angular_rate: core::f64::consts::TAU / period_s,
-        phase: phase_deg * units::DEGREE,
     }
 }

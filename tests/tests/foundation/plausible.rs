@@ -1,6 +1,7 @@
 //! What a unit at rest reads, judged: faults are named, good readings pass, poor ones get their σ.
 
-use schuler::alignment::judge::{Contradiction, Judgement, Place, judge};
+use schuler::alignment::judge::{Contradiction, Judgement, judge};
+use schuler::alignment::place::Place;
 use schuler::alignment::signs::Signs;
 use schuler::alignment::still::Still;
 use schuler::alignment::units::{ForceUnit, Kind, RateUnit};

@@ -1,7 +1,6 @@
 //! `tests/golden/turns.toml`.
 
-use super::units::*;
-use super::{Scene, channel, harmonic};
+use super::Scene;
 use schuler::sensor::Timing;
 use schuler::sensor::constant::Constant;
 use schuler::sensor::flicker::Flicker;
@@ -17,6 +16,8 @@ use schuler::sensor::triad::Triad;
 use schuler::sensor::turn_on::TurnOn;
 use schuler::sensor::white::White;
 use schuler::trajectory::harmonic::Channels;
+use schuler_scenes::channel::{channel, harmonic};
+use schuler_scenes::units::*;
 
 pub const SCENE: Scene = Scene {
     name: "turns",

@@ -1,0 +1,38 @@
+//! What gravity and the Earth's rate are where a unit stands still.
+
+use crate::earth::{self, Geodetic};
+use crate::math::real::Scalar;
+
+/// What is known of a place where a unit stands still.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Place<R> {
+    /// Where.
+    pub position: Geodetic<R>,
+    /// Normal gravity γ, m/s².
+    pub gravity: R,
+    /// Earth's rate along the upward vertical, ω_ie sinφ, rad/s.
+    pub rate_up: R,
+    /// Earth's rate across it, ω_ie cosφ, rad/s.
+    pub rate_north: R,
+}
+
+impl<R: Scalar> Place<R> {
+    /// At a position.
+    pub fn new(position: Geodetic<R>) -> Self {
+        let (sine, cosine) = position.latitude.sin_cos();
+        let rotation = earth::rotation_ned(sine, cosine);
+        Self {
+            position,
+            gravity: earth::gravity(sine, position.altitude),
+            rate_up: -rotation.z,
+            rate_north: rotation.x,
+        }
+    }
+
+    /// The smallest gyro error that explains a rate along and across the vertical, rad/s.
+    pub fn least_bias(&self, up: R, across: R) -> R {
+        let (up, across) = (up - self.rate_up, across - self.rate_north);
+        (up * up + across * across).sqrt()
+    }
+}

@@ -47,7 +47,7 @@ const STEADY_FORCE: f64 = 0.005;
 /// At rest, specific force varies by less than this fraction of itself from piece to piece.
 const SPREAD_LIMIT: f64 = 0.03;
 
-/// What is known of a place where a unit stands still.
+/// The known quantities at the place of a unit at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Place<R> {

@@ -98,8 +98,8 @@ impl<M: Linked> Flight<M> {
         Ok(Taken::Flown)
     }
 
-    /// The stream is at its end, after so many samples: those that never came are filled with the last,
-    /// and what waits for look-ahead is flown.
+    /// Ends the stream after this number of samples: those that never came are filled with the last,
+    /// and the samples that wait for look-ahead are flown.
     pub fn finish(
         &mut self,
         samples: u32,
@@ -234,7 +234,7 @@ fn step<M: Linked>(
     Ok(())
 }
 
-/// All that goes on from sample to sample; the configuration and the policy are not part of it.
+/// The whole state, without the configuration and the policy.
 impl<M: Linked> Record for Flight<M> {
     fn record(&mut self, name: &'static str, visit: &mut impl FnMut(&'static str, u64) -> u64) {
         self.state.record(name, visit);

@@ -66,7 +66,7 @@ pub trait TextbookFrame: Copy + Plausible {
     ///
     /// [`Rejected::Pole`] or [`Rejected::Place`].
     fn check_place(&self) -> Result<(), Rejected>;
-    /// The state as it stands.
+    /// The present solution.
     fn output(&self) -> Self::Output;
 }
 

@@ -5,7 +5,8 @@
 //! Source: Groves, 2nd ed., §5.6 (levelling, gyrocompassing), §4.2 (sensor errors).
 //!
 //! ```
-//! use schuler::alignment::judge::{Place, judge};
+//! use schuler::alignment::judge::judge;
+//! use schuler::alignment::place::Place;
 //! use schuler::alignment::still::Still;
 //! use schuler::alignment::units::Kind;
 //! use schuler::earth::Geodetic;

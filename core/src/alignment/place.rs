@@ -3,7 +3,7 @@
 use crate::earth::{self, Geodetic};
 use crate::math::real::Scalar;
 
-/// What is known of a place where a unit stands still.
+/// The known quantities at the place of a unit at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Place<R> {

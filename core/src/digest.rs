@@ -96,7 +96,7 @@ impl Adding {
     }
 }
 
-/// A digest with a checkpoint at every so many samples.
+/// A digest with checkpoints at a fixed number of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Chain {

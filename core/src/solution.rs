@@ -76,7 +76,7 @@ impl<R: Real> Euler<R> {
     }
 }
 
-/// a + b within ±π, for |a|, |b| ≤ π, with the rounding of the sum and of 2π made good.
+/// a + b within ±π, for |a|, |b| ≤ π, corrected for the rounding of the sum and of 2π.
 fn wrapped_sum<R: Real>(a: R, b: R) -> R {
     const TURN: f64 = core::f64::consts::TAU;
     let (sum, rest) = two_sum(a, b);

@@ -3,7 +3,7 @@
 use crate::earth::{self, Geodetic};
 use crate::math::real::Scalar;
 
-/// What is known of a place where a unit stands still.
+/// The known quantities at the place of a unit at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Place<R> {
@@ -30,7 +30,7 @@ impl<R: Scalar> Place<R> {
         }
     }
 
-    /// The least that gyros must be wrong by to show a rate along and across the vertical, rad/s.
+    /// The smallest gyro error that explains a rate along and across the vertical, rad/s.
     pub fn least_bias(&self, up: R, across: R) -> R {
         let (up, across) = (up - self.rate_up, across - self.rate_north);
         (up * up + across * across).sqrt()

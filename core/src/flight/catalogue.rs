@@ -114,9 +114,9 @@ where
     }
 }
 
-/// Who does something with a navigator's type.
+/// An operation on the type of a navigator.
 pub trait Visitor {
-    /// What comes of it.
+    /// Its result.
     type Result;
     /// Does it.
     fn visit<M: Entry>(self) -> Self::Result;

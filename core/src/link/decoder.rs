@@ -1,4 +1,4 @@
-//! Frames out of a stream of bytes, of which any may be wrong, missing or too many.
+//! Frames from a stream of bytes, any of which may be wrong, missing or surplus.
 
 use super::bytes::Bytes;
 use super::counters::{Dropped, count};
@@ -66,12 +66,12 @@ impl Decoder {
         }
     }
 
-    /// What it has dropped so far.
+    /// The number of frames dropped so far, by reason.
     pub fn dropped(&self) -> Dropped {
         self.dropped
     }
 
-    /// Counts what it drops from 0 on.
+    /// Resets the counts of dropped frames.
     pub fn forget_dropped(&mut self) {
         self.dropped = Dropped::default();
     }

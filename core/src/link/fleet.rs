@@ -1,6 +1,6 @@
 //! The mechanizations of an image, chosen from at run time.
 //!
-//! What an image names here is linked into it, and nothing else: [`Single`] holds no double-precision
+//! Only the mechanizations that an image names here are linked into it: [`Single`] has no double-precision
 //! operation.
 
 use super::bytes::Bytes;
@@ -30,7 +30,7 @@ pub trait Fleet: Copy {
     fn take(&mut self, number: u32, increment: Bytes) -> Result<Taken, Refusal>;
     /// Sets height and vertical velocity.
     fn hold(&mut self, vertical: Bytes) -> Result<(), Refusal>;
-    /// Ends the stream after so many samples.
+    /// Ends the stream after this number of samples.
     fn finish(&mut self, samples: u32) -> Result<Taken, Refusal>;
     /// Number of the last sample taken.
     fn taken(&self) -> u32;
@@ -48,9 +48,9 @@ pub trait Fleet: Copy {
     fn visit<V: Visitor>(&mut self, visitor: V) -> V::Result;
 }
 
-/// Who does something with a flight of any mechanization.
+/// An operation on a flight of any mechanization.
 pub trait Visitor {
-    /// What comes of it.
+    /// Its result.
     type Result;
     /// Does it.
     fn visit<M: Entry>(self, flight: &mut LinkedFlight<M>) -> Self::Result;

@@ -94,8 +94,8 @@ impl<M: Entry> LinkedFlight<M> {
         Ok(Taken::Flown)
     }
 
-    /// The stream is at its end, after so many samples: those that never came are filled with the last,
-    /// and what waits for look-ahead is flown.
+    /// Ends the stream after this number of samples: those that never came are filled with the last,
+    /// and the samples that wait for look-ahead are flown.
     pub fn finish(
         &mut self,
         samples: u32,
@@ -208,7 +208,7 @@ impl<M: Entry> LinkedFlight<M> {
     }
 }
 
-/// All that goes on from sample to sample; the configuration and the policy are not part of it.
+/// The whole state, without the configuration and the policy.
 impl<M: Entry> Record for LinkedFlight<M> {
     record!(flight; bridge, taken, came, finished);
 }

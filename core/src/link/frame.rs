@@ -1,4 +1,4 @@
-//! Frames: what crosses the link in one piece, or not at all.
+//! Frames: the units that cross the link completely or not at all.
 //!
 //! | bytes | what |
 //! |---|---|
@@ -36,7 +36,7 @@ use crate::math::real::Scalar;
 use cobs::CobsEncoder;
 use crc::{CRC_32_ISO_HDLC, Crc, Digest, Table};
 
-/// Bytes of a frame before stuffing, at most: one stuffing byte is enough for so many.
+/// Bytes of a frame before stuffing, at most: one stuffing byte is enough for them.
 pub const MOST_FRAME: usize = 254;
 /// Bytes of a frame beside its payload.
 pub const LEAST_FRAME: usize = 1 + 4 + 8 + CHECK;

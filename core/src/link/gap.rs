@@ -71,7 +71,7 @@ impl<R: Real> Bridge<R> {
         self.lost
     }
 
-    /// Whether it can be one after so many samples, of which at most `most` are missing at once.
+    /// Whether it is plausible after this number of samples, of which at most `most` are missing in a row.
     pub(super) fn is_plausible(&self, samples: u32, most: u32) -> bool {
         let largest = R::of(1e6);
         let finite = |last: Increment<R>| {

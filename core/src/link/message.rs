@@ -1,8 +1,8 @@
 //! Messages: what the payloads of frames mean.
 //!
-//! Whatever depends on the navigator's digits stays bytes here; who knows the digits takes them as
-//! scalars. An answer says which frame it answers, how often the target was switched on, and what went
-//! wrong on the way to it.
+//! Numbers whose type depends on the navigator's precision stay bytes here; the navigator reads them as
+//! scalars. An answer says which frame it answers, how often the target was switched on, and which errors it
+//! noticed on the link.
 
 use super::bytes::Bytes;
 use super::counters::Counters;
@@ -190,7 +190,7 @@ pub enum Body<'a> {
     Refused {
         /// Why.
         refusal: Refusal,
-        /// The sample that it stands at.
+        /// The sample at which it is.
         taken: u32,
     },
 }

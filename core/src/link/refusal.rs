@@ -4,7 +4,7 @@
 //! use schuler::link::refusal::Refusal;
 //!
 //! for &refusal in Refusal::ALL {
-//!     assert_eq!(Refusal::of(refusal.code()), Some(refusal));
+//!     assert_eq!(Refusal::from_code(refusal.code()), Some(refusal));
 //! }
 //! ```
 
@@ -13,7 +13,7 @@ use crate::strapdown::limits::{Rejected, StartError};
 use crate::strapdown::plausible::Damaged;
 use core::fmt::{self, Display, Formatter};
 
-/// The reason. But for [`Refusal::Damaged`], nothing has changed but counters.
+/// The reason. Except for [`Refusal::Damaged`], only counters have changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -24,7 +24,7 @@ pub enum Refusal {
     Configuration,
     /// The payload is not what its kind needs.
     Malformed,
-    /// Samples before this one never came, and are not bridged, or are more than [`MOST_BRIDGED`].
+    /// Samples before this one are missing, and are not bridged or are more than [`MOST_BRIDGED`].
     Gap,
     /// The stream has been finished.
     Finished,

@@ -1,4 +1,4 @@
-//! Sequence numbers at the receiver: what is missing, what came twice, what came late.
+//! Sequence numbers at the receiver: missing, repeated and late frames.
 //!
 //! ```
 //! use schuler::link::counters::Counters;

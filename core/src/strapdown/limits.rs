@@ -22,7 +22,7 @@
 
 use crate::math::real::Real;
 
-/// Height above and below the ellipsoid, m, up to which navigation starts and goes on.
+/// The largest height above and below the ellipsoid, m, for navigation.
 pub(crate) const FARTHEST: f64 = 1e6;
 
 /// Velocity, m/s, that navigation starts with at most.

@@ -11,7 +11,7 @@
 //!
 //! // A steady force for one second: after half of it u is half of the whole, s a quarter.
 //! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.25, 0.0, 0.0) };
-//! let (fit, _) = Fit::<f64, 4>::of_any(&[sample; 4], 0, 4);
+//! let (fit, _) = Fit::<f64, 4>::from_any(&[sample; 4], 0, 4);
 //! let (body, series) = integrate::<f64, 4, 11>(&fit, &Sum::plain(&[sample; 4]), 0.5, 10);
 //! let half = series.until(0.0, 0.5);
 //! assert!((half.velocity.x - 0.5 * body.velocity.x).abs() < 1e-15);

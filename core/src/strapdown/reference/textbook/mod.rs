@@ -69,7 +69,7 @@ pub trait TextbookFrame: Copy + Send + Plausible {
     ///
     /// [`Rejected::Pole`] or [`Rejected::Place`].
     fn check_place(&self) -> Result<(), Rejected>;
-    /// The state as it stands.
+    /// The present solution.
     fn output(&self) -> Self::Output;
 }
 

@@ -1,6 +1,7 @@
 //! Which scenes can be flown as an ensemble.
 
 use crate::input::{Complaint, InputError};
+use crate::scene::terms::TERMS;
 use crate::scene::{Algorithm, Link, Scene, SensorErrors};
 
 /// The keys of what is drawn from the seed.
@@ -29,8 +30,8 @@ pub fn check(scene: &Scene) -> Result<(), InputError> {
 
 /// Whether anything is drawn from the seed.
 fn is_random(errors: &SensorErrors) -> bool {
-    let SensorErrors { turn_on, gauss_markov, white, random_walk, bias_instability, .. } = errors;
-    let rms = gauss_markov.map(|process| process.rms);
-    let drawn = [*turn_on, rms, *white, *random_walk, *bias_instability];
-    drawn.into_iter().flatten().any(|values| values != [0.0; 3])
+    let terms = TERMS.iter().filter(|term| term.source.is_random());
+    let drawn = terms.filter_map(|term| (term.values)(errors));
+    let rms = errors.gauss_markov.map(|process| process.rms);
+    drawn.chain(rms).any(|values| values != [0.0; 3])
 }

@@ -1,6 +1,7 @@
 //! The scene for people: every parameter in the unit of its file.
 
 use super::number;
+use crate::scene::terms::{Key, TERMS, Term};
 use crate::scene::{Channel, GaussMarkov, Scene, SensorErrors};
 use crate::units::{self, DEGREE};
 use std::f64::consts::TAU;
@@ -22,62 +23,35 @@ fn axes(values: &[f64; 3], unit: f64, name: &str) -> String {
 
 /// A row per error term that either sensor has: its name, the gyro's value, the accelerometer's.
 pub fn sensors(scene: &Scene) -> Rows {
-    type Unit = (f64, &'static str);
-    type Pick = fn(&SensorErrors) -> Option<[f64; 3]>;
-    const DEG_H: Unit = (units::DEGREE_PER_HOUR, "°/h");
-    const UG: Unit = (units::MICRO_G, "µg");
-    let plain: [(&str, Pick, Unit, Unit); 10] = [
-        ("constant bias", |s| s.constant, DEG_H, UG),
-        ("turn-on bias, rms", |s| s.turn_on, DEG_H, UG),
-        ("bias instability", |s| s.bias_instability, DEG_H, UG),
-        (
-            "angle, velocity random walk",
-            |s| s.white,
-            (units::DEGREE_PER_ROOT_HOUR, "°/√h"),
-            (units::METRE_PER_SECOND_PER_ROOT_HOUR, "m/s/√h"),
-        ),
-        (
-            "rate, acceleration random walk",
-            |s| s.random_walk,
-            (units::DEGREE_PER_HOUR_PER_ROOT_HOUR, "°/h/√h"),
-            (units::MICRO_G_PER_ROOT_HOUR, "µg/√h"),
-        ),
-        (
-            "scale factor",
-            |s| s.scale_factor,
-            (units::PART_PER_MILLION, "ppm"),
-            (units::PART_PER_MILLION, "ppm"),
-        ),
-        (
-            "misalignment",
-            |s| s.misalignment,
-            (units::ARCSECOND, "arcsec"),
-            (units::ARCSECOND, "arcsec"),
-        ),
-        ("g-sensitivity", |s| s.g_sensitivity, (units::DEGREE_PER_HOUR_PER_G, "°/h/g"), (1.0, "")),
-        ("quantization", |s| s.quantization, (units::ARCSECOND, "arcsec"), (1.0, "m/s")),
-        ("saturation", |s| s.saturation, (DEGREE, "°/s"), (units::STANDARD_GRAVITY, "g")),
-    ];
+    // Biases, whose unit is the constant one's, come before all else.
+    let is_bias = |term: &Term| term.gyro.is_some_and(|key| key.symbol == "°/h");
+    let (biases, others): (Vec<_>, Vec<_>) = TERMS.iter().partition(|term| is_bias(term));
     let both = |name: &str, cells: [Option<String>; 2]| {
         cells.iter().any(Option::is_some).then(|| {
             let [gyro, accelerometer] = cells.map(|cell| cell.unwrap_or_else(|| "—".to_owned()));
             vec![name.to_owned(), gyro, accelerometer]
         })
     };
-    let markov = |sensor: &SensorErrors, (unit, name): Unit| {
+    let markov = |sensor: &SensorErrors, unit: f64, name: &str| {
         sensor.gauss_markov.map(|GaussMarkov { rms, correlation_s }| {
             format!("{} rms, {}", axes(&rms, unit, name), axes(&correlation_s, 1.0, "s"))
         })
     };
     let (gyro, accelerometer) = (&scene.gyro, &scene.accelerometer);
-    let mut rows: Rows = plain
+    let mut rows: Rows = biases
         .into_iter()
-        .filter_map(|(name, pick, gyro_unit, accelerometer_unit)| {
-            let cell = |sensor, (unit, name)| pick(sensor).map(|values| axes(&values, unit, name));
-            both(name, [cell(gyro, gyro_unit), cell(accelerometer, accelerometer_unit)])
+        .chain(others)
+        .filter_map(|term| {
+            let cell = |sensor, key: Option<Key>| {
+                let values = (term.values)(sensor)?;
+                key.map(|Key { unit, symbol, .. }| axes(&values, unit, symbol))
+            };
+            both(term.name, [cell(gyro, term.gyro), cell(accelerometer, term.accelerometer)])
         })
         .collect();
-    rows.extend(both("Gauss-Markov bias", [markov(gyro, DEG_H), markov(accelerometer, UG)]));
+    let markovs =
+        [markov(gyro, units::DEGREE_PER_HOUR, "°/h"), markov(accelerometer, units::MICRO_G, "µg")];
+    rows.extend(both("Gauss-Markov bias", markovs));
     rows
 }
 

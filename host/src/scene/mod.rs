@@ -6,6 +6,7 @@ pub mod build;
 pub mod builtin;
 pub mod limits;
 pub mod parse;
+pub mod terms;
 pub mod window;
 
 use crate::input::document::{Document, did_you_mean};

@@ -1,10 +1,12 @@
 //! A scene's sensor errors in the linear model: a systematic part that determines the mean, and
 //! independent scalar processes that determine the covariance.
 
+use crate::scene::terms::{Source, TERMS, Term};
 use crate::scene::{Scene, SensorErrors};
 use schuler::math::vector::Vector;
 use schuler::sample::Rates;
 use schuler::sensor::{Timing, flicker};
+use std::mem;
 
 /// The six sensors: gyros x, y, z, then accelerometers x, y, z.
 pub const SENSORS: usize = 6;
@@ -45,7 +47,7 @@ impl Sources {
         let mut biases = Vec::new();
         for (triad, errors) in triads.into_iter().enumerate() {
             for axis in 0..3 {
-                let at = |values: Option<[f64; 3]>| values.map_or(0.0, |v| v[axis]);
+                let at = |source| values(errors, source)[axis];
                 let sensor = 3 * triad + axis;
                 let mut push = |rms: f64, walk: f64, correlation_s: f64| {
                     if rms != 0.0 || walk != 0.0 {
@@ -53,28 +55,28 @@ impl Sources {
                         biases.push(Bias { sensor, variance, walk, correlation_s });
                     }
                 };
-                push(at(errors.turn_on), at(errors.random_walk), f64::INFINITY);
+                push(at(Source::Stays), at(Source::Walks), f64::INFINITY);
                 if let Some(process) = errors.gauss_markov {
                     push(process.rms[axis], 0.0, process.correlation_s[axis]);
                 }
                 if let Ok(timing) = Timing::new(sample_interval_s, scene.samples()) {
                     for (correlation_s, rms) in flicker::poles(timing) {
-                        push(rms * at(errors.bias_instability), 0.0, correlation_s);
+                        push(rms * at(Source::Flickers), 0.0, correlation_s);
                     }
                 }
             }
         }
         biases.sort_by(|a, b| b.correlation_s.total_cmp(&a.correlation_s));
-        let squares = |of: fn(&SensorErrors) -> Option<[f64; 3]>| {
-            let values = triads.map(|errors| of(errors).unwrap_or_default());
+        let squares = |source| {
+            let values = triads.map(|errors| values(errors, source));
             std::array::from_fn(|i| values[i / 3][i % 3] * values[i / 3][i % 3])
         };
         Self {
             gyro: scene.gyro.clone(),
             accelerometer: scene.accelerometer.clone(),
             biases,
-            white: squares(|errors| errors.white),
-            quantization: squares(|errors| errors.quantization).map(|step| step / 12.0),
+            white: squares(Source::White),
+            quantization: squares(Source::Steps).map(|step| step / 12.0),
             sample_interval_s,
         }
     }
@@ -87,9 +89,8 @@ impl Sources {
     /// Whether anything is systematic.
     pub fn are_systematic(&self) -> bool {
         [&self.gyro, &self.accelerometer].into_iter().any(|errors| {
-            let SensorErrors { constant, scale_factor, misalignment, g_sensitivity, .. } = errors;
-            let present = [constant, scale_factor, misalignment, g_sensitivity];
-            present.into_iter().any(|values| values.is_some_and(|v| v != [0.0; 3]))
+            let systematic = TERMS.iter().filter(|t| matches!(t.source, Source::Systematic(_)));
+            systematic.filter_map(|term| (term.values)(errors)).any(|v| v != [0.0; 3])
         })
     }
 
@@ -97,19 +98,27 @@ impl Sources {
     pub fn systematic(&self, rates: &Rates<f64>) -> Rates<f64> {
         let Rates { rate_ib_b, specific_force_b } = *rates;
         let part = |errors: &SensorErrors, x: Vector<f64>| {
-            let vector = |values: Option<[f64; 3]>| Vector::from(values.unwrap_or_default());
-            let times = |k: Vector<f64>, x: Vector<f64>| k.zip(x, |k, x| k * x);
             // constant + S·x − m × x + G·f
-            vector(errors.constant)
-                + times(vector(errors.scale_factor), x)
-                + x.cross(vector(errors.misalignment))
-                + times(vector(errors.g_sensitivity), specific_force_b)
+            let parts = TERMS.iter().filter_map(|term| match term.source {
+                Source::Systematic(part) => {
+                    let k = Vector::from((term.values)(errors).unwrap_or_default());
+                    Some(part(k, x, specific_force_b))
+                }
+                _ => None,
+            });
+            parts.reduce(|sum, part| sum + part).unwrap_or(Vector::ZERO)
         };
         Rates {
             rate_ib_b: part(&self.gyro, rate_ib_b),
             specific_force_b: part(&self.accelerometer, specific_force_b),
         }
     }
+}
+
+/// The values of the term that theory takes so; 0 where it is absent.
+fn values(errors: &SensorErrors, source: Source) -> [f64; 3] {
+    let is_it = |term: &&Term| mem::discriminant(&term.source) == mem::discriminant(&source);
+    TERMS.iter().find(is_it).and_then(|term| (term.values)(errors)).unwrap_or_default()
 }
 
 /// One unit of error of one sensor.

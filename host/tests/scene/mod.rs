@@ -6,6 +6,7 @@ mod builtin;
 mod errors;
 mod navigators;
 mod sampling;
+mod terms;
 mod units;
 
 use schuler_host::input::InputError;

@@ -15,10 +15,10 @@ use schuler::sample::Increment;
 use schuler::solution::Output as _;
 use schuler::solution::Solution;
 use schuler::strapdown::mechanization::Mechanization;
-use schuler_host::scene::{
+use schuler_simulator::scene::{
     Channel, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory, builtin,
 };
-use schuler_host::source::Source;
+use schuler_simulator::source::Source;
 use std::f64::consts::FRAC_PI_4;
 
 /// A built-in scene's motion with its perfect samples.

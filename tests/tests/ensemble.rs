@@ -1,10 +1,10 @@
 //! The paper's flight with its sensor errors, many times: does the drift scatter as theory says?
 
-use schuler_host::flight::Instant;
-use schuler_host::scene::builtin;
-use schuler_host::simulate;
-use schuler_host::theory::Theory;
-use schuler_host::units::ARCSECOND;
+use schuler_simulator::flight::Instant;
+use schuler_simulator::scene::builtin;
+use schuler_simulator::simulate;
+use schuler_simulator::theory::Theory;
+use schuler_simulator::units::ARCSECOND;
 
 const SEEDS: u64 = 64;
 const TIMES_S: [f64; 3] = [300.0, 900.0, 1800.0];

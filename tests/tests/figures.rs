@@ -1,8 +1,8 @@
 //! The figures that the README states, each with its bound: accuracy on perfect sensors.
 
-use schuler_host::flight::Flight;
-use schuler_host::scene::{Algorithm, Axes, Precision, Scene, WindowShape, builtin};
-use schuler_host::simulate;
+use schuler_simulator::flight::Flight;
+use schuler_simulator::scene::{Algorithm, Axes, Precision, Scene, WindowShape, builtin};
+use schuler_simulator::simulate;
 
 fn fly(name: &str, change: impl Fn(&mut Scene)) -> Flight {
     let mut scene = builtin::scene(name).unwrap();

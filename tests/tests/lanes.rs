@@ -9,11 +9,11 @@ use schuler::strapdown::frame::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::navigator::Strapdown;
-use schuler_host::lanes::abreast::{Abreast, Packed, pack};
-use schuler_host::lanes::pack::Lanes;
-use schuler_host::lanes::{InLanes, Registers, in_registers};
-use schuler_host::scene::builtin;
-use schuler_host::source::Source;
+use schuler_simulator::lanes::abreast::{Abreast, Packed, pack};
+use schuler_simulator::lanes::pack::Lanes;
+use schuler_simulator::lanes::{InLanes, Registers, in_registers};
+use schuler_simulator::scene::builtin;
+use schuler_simulator::source::Source;
 use std::array;
 
 const SAMPLES: usize = 3001;

@@ -4,8 +4,8 @@
 
 use schuler::flight::configuration::Precision;
 use schuler::flight::plan::{self, Demand};
-use schuler_host::scene::{Axes, Scene, WindowShape, builtin, parse};
-use schuler_host::simulate;
+use schuler_simulator::scene::{Axes, Scene, WindowShape, builtin, parse};
+use schuler_simulator::simulate;
 
 fn scene(text: &str, frame: Axes) -> Scene {
     let mut scene = parse::scene("plan.toml", text).unwrap();

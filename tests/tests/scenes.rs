@@ -5,8 +5,8 @@ use schuler::sensor::emulator::Emulator;
 use schuler::sensor::triad::Triad;
 use schuler::trajectory::Trajectory as _;
 use schuler::trajectory::harmonic::HarmonicTrajectory;
-use schuler_host::emulator;
-use schuler_host::scene::builtin;
+use schuler_simulator::emulator;
+use schuler_simulator::scene::builtin;
 use schuler_scenes::paper;
 
 #[test]

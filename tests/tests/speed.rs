@@ -2,8 +2,8 @@
 
 use schuler::drift::compare::drift;
 use schuler::trajectory::Trajectory as _;
-use schuler_host::scene::builtin;
-use schuler_host::source::Source;
+use schuler_simulator::scene::builtin;
+use schuler_simulator::source::Source;
 use schuler_speed::flight::{Flight, Hard, Manoeuvre, Paper};
 
 fn is_the_scene<F: Flight>(name: &str) {

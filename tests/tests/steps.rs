@@ -17,7 +17,7 @@ use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 use schuler::trajectory::harmonic::Harmonic;
-use schuler_host::scene::{Channel, Scene};
+use schuler_simulator::scene::{Channel, Scene};
 use schuler_tests::{Course, Numbers, at_rest, largest};
 use std::f64::consts::{PI, TAU};
 

@@ -4,8 +4,8 @@
 //! into the others: by (ω_ie t)² at most, 2e-5 at 60 s and 5e-4 at 300 s.
 
 use schuler::earth::{Radii, gravity};
-use schuler_host::scene::{GaussMarkov, Scene, Vertical};
-use schuler_host::theory::{Expected, Theory};
+use schuler_simulator::scene::{GaussMarkov, Scene, Vertical};
+use schuler_simulator::theory::{Expected, Theory};
 use schuler_tests::{at_rest, near};
 use std::f64::consts::{FRAC_PI_4, PI};
 

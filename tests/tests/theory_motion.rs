@@ -2,8 +2,8 @@
 
 use schuler::earth::{ROTATION_RATE, gravity};
 use schuler::trajectory::harmonic::Harmonic;
-use schuler_host::scene::{Channel, GaussMarkov, Scene, SensorErrors, Vertical};
-use schuler_host::theory::{Expected, Theory};
+use schuler_simulator::scene::{Channel, GaussMarkov, Scene, SensorErrors, Vertical};
+use schuler_simulator::theory::{Expected, Theory};
 use schuler_tests::at_rest;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 

@@ -2,8 +2,8 @@
 //! Schuler's period and the vertical channel's, (ω_s t)² and (κt)² ≤ 1.2e-3, of which the laws see a tenth.
 
 use schuler::earth::gravity;
-use schuler_host::scene::GaussMarkov;
-use schuler_host::theory::Theory;
+use schuler_simulator::scene::GaussMarkov;
+use schuler_simulator::theory::Theory;
 use schuler_tests::{at_rest, near};
 use std::f64::consts::{FRAC_PI_4, LN_10, PI};
 

@@ -7,8 +7,8 @@ use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::trajectory::Trajectory;
-use schuler_host::scene::builtin;
-use schuler_host::source;
+use schuler_simulator::scene::builtin;
+use schuler_simulator::source;
 
 fn course(name: &str) -> (source::Course, f64, f64) {
     let scene = builtin::scene(name).unwrap();

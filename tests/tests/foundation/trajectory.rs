@@ -5,8 +5,8 @@ use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::trajectory::harmonic::{Channel, Channels, CourseError, Harmonic, HarmonicTrajectory};
 use schuler::trajectory::{Jet, Motion, Trajectory, wrap};
-use schuler_host::scene::builtin;
-use schuler_host::source::Course;
+use schuler_simulator::scene::builtin;
+use schuler_simulator::source::Course;
 use schuler_tests::Numbers;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

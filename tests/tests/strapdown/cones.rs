@@ -11,7 +11,7 @@ use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 use schuler::trajectory::harmonic::Harmonic;
-use schuler_host::scene::Channel;
+use schuler_simulator::scene::Channel;
 use schuler_tests::{Course, at_rest};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -13,8 +13,8 @@ use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::{State, Strapdown};
 use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 use schuler::trajectory::harmonic::Harmonic;
-use schuler_host::scene::Channel;
-use schuler_host::source::Source;
+use schuler_simulator::scene::Channel;
+use schuler_simulator::source::Source;
 use schuler_tests::{Course, Numbers, at_rest, near};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

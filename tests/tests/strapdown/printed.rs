@@ -6,9 +6,9 @@ use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::solution::{Euler, Solution};
 use schuler::strapdown::limits::Rejected;
-use schuler_host::navigator;
-use schuler_host::recording::navigation::{COLUMNS, NavigationRow};
-use schuler_host::scene::{Algorithm, Axes, Navigator, Precision, WindowShape};
+use schuler_simulator::navigator;
+use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
+use schuler_simulator::scene::{Algorithm, Axes, Navigator, Precision, WindowShape};
 use schuler_tests::Numbers;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -20,7 +20,7 @@ use schuler::strapdown::mechanization::UnequalIntervals;
 use schuler::strapdown::navigator::Strapdown;
 use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 use schuler::trajectory::Trajectory as _;
-use schuler_host::source::Source;
+use schuler_simulator::source::Source;
 use schuler_tests::{Course, Numbers, at_rest, bits, reader};
 use std::f64::consts::TAU;
 

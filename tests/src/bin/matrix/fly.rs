@@ -8,7 +8,7 @@ use super::output::Output;
 use super::target::{TARGETS, Target};
 use super::tools::{self, Machine};
 use super::verdict::{Matrix, Row, Verdict};
-use schuler_host::input::{Complaint, InputError};
+use schuler_simulator::input::{Complaint, InputError};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::Instant;

@@ -3,7 +3,7 @@
 use super::output::Output;
 use schuler_host::audit::chain::Chain;
 use schuler_host::audit::golden;
-use schuler_host::input::InputError;
+use schuler_simulator::input::InputError;
 use std::collections::HashMap;
 use std::path::Path;
 

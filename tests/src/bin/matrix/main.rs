@@ -29,8 +29,8 @@ mod verdict;
 use arguments::MatrixArgs;
 use clap::Parser;
 use schuler_host::audit::page::{self, Table};
-use schuler_host::input::InputError;
-use schuler_host::output::say;
+use schuler_simulator::input::InputError;
+use schuler_simulator::output::say;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {

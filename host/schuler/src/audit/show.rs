@@ -1,0 +1,216 @@
+//! The result of an audit, in words and tables.
+
+use super::compare::{Growth, Parting};
+use super::difference::Difference;
+use super::functions;
+use super::golden::{Verdict, digest};
+use super::page::Table;
+use super::pair::{Common, Partly, Shorter};
+use super::record::Named;
+use super::sensitivity::Effect;
+use schuler_report::axis::printed;
+use schuler_simulator::number::Quantity;
+use schuler_simulator::scene::Scene;
+use serde::Serialize;
+
+/// Two chains compared.
+#[derive(Clone, Debug, Serialize)]
+pub struct Compared {
+    /// Their name.
+    pub chain: String,
+    /// What both hold.
+    pub held: Common,
+    /// Where they part.
+    pub parting: Option<Parting>,
+}
+
+/// The digests of what was recorded.
+pub fn recorded(scene: &str, chains: &[Named]) -> Table {
+    let mut table = Table::new(scene, &["chain", "digest"]);
+    table.rows.extend(chains.iter().map(|(stem, chain)| vec![stem.clone(), digest(chain)]));
+    table
+}
+
+/// What became of libm's functions, and what it means where one differs.
+pub fn functions(verdicts: Option<&[functions::Verdict]>) -> String {
+    let version = env!("SCHULER_LIBM_VERSION");
+    let Some(verdicts) = verdicts else {
+        return format!("no {}: libm's functions are not compared\n", functions::FILE);
+    };
+    let mut text = String::new();
+    for verdict in verdicts.iter().filter(|verdict| !verdict.holds()) {
+        let functions::Verdict { function, stored, computed } = verdict;
+        text += &format!("{function:48} {stored}  DIFFERS: {computed}\n");
+    }
+    if text.is_empty() {
+        return format!("{} functions of libm {version}, the same bits\n", verdicts.len());
+    }
+    text + &format!(
+        "libm {version} of this build has other bits than the golden chains' in these functions. What \
+         calls them parts\nfor that alone: the golden bits take libm as Cargo.lock has it\n"
+    )
+}
+
+/// A line for a golden chain, and where the flight parts from it.
+pub fn verdict(verdict: &Verdict) -> String {
+    let Verdict { chain, digest, held, parting } = verdict;
+    match parting {
+        None => format!("{chain:48} {digest}  {}\n", same(held)),
+        Some(parting) => format!("{chain:48} {digest}  PARTS\n{}", part(parting, None)),
+    }
+}
+
+/// The same for a page.
+pub fn verdicts(verdicts: &[Verdict]) -> Vec<Table> {
+    let mut table = Table::new("Flown again", &["chain", "golden digest", "verdict"]);
+    for Verdict { chain, digest, held, parting } in verdicts {
+        let verdict = parting.as_ref().map_or_else(|| same(held), place);
+        table.rows.push(vec![chain.clone(), digest.clone(), verdict]);
+    }
+    vec![table]
+}
+
+fn same(Common { rows, digests, .. }: &Common) -> String {
+    format!("the same bits in {rows} rows and {digests} digests")
+}
+
+/// Two chains compared, in words.
+pub fn compared(compared: &Compared, rate_hz: Option<&str>) -> String {
+    let Compared { chain, held, parting } = compared;
+    let mut text = match parting {
+        None => format!("{chain}: {}\n", same(held)),
+        Some(parting) => {
+            let rate_hz = rate_hz.and_then(|text| text.parse().ok());
+            format!("{chain}: part\n{}", part(parting, rate_hz))
+        }
+    };
+    for remark in remarks(held) {
+        text += &format!("  {remark}\n");
+    }
+    text
+}
+
+/// What is not compared, though a chain has it.
+fn remarks(Common { partly, shorter, .. }: &Common) -> Vec<String> {
+    let ends = shorter.iter().map(|Shorter { stage, samples: [least, most] }| {
+        format!("stage {stage} ends at {least} of {most}")
+    });
+    let fields = partly.iter().map(|Partly { stage, fields, left_out }| {
+        let fields = fields.join(", ");
+        let why = match left_out.as_slice() {
+            [] => "stand in another order".to_owned(),
+            names => format!("are not all: only one chain has {}", names.join(", ")),
+        };
+        format!(
+            "stage {stage} is compared in {fields}, by rows alone; no digest of it can be, as its \
+             fields {why}"
+        )
+    });
+    ends.chain(fields).collect()
+}
+
+/// The first parting of many.
+pub fn first(found: &[Compared]) -> String {
+    let order = ["trajectory", "increments", "noise", "body", "nav"];
+    let rank = |p: &Parting| (p.sample, order.iter().position(|name| *name == p.stage));
+    let partings = found.iter().filter_map(|c| Some((c, c.parting.as_ref()?)));
+    match partings.min_by_key(|(_, parting)| rank(parting)) {
+        Some((compared, parting)) => format!("first: {}, {}\n", compared.chain, place(parting)),
+        None => format!("{} chains, all the same bits\n", found.len()),
+    }
+}
+
+/// The same for a page.
+pub fn partings(found: &[Compared]) -> Vec<Table> {
+    let heads = ["chain", "rows", "digests", "verdict", "what is not compared"];
+    let mut table = Table::new("Compared", &heads);
+    let mut tables = Vec::new();
+    for Compared { chain, held, parting } in found {
+        let verdict = parting.as_ref().map_or("the same bits".to_owned(), place);
+        let (rows, digests) = (held.rows.to_string(), held.digests.to_string());
+        let remarks = remarks(held).join("; ");
+        table.rows.push(vec![chain.clone(), rows, digests, verdict, remarks]);
+        tables.extend(parting.as_ref().map(|parting| {
+            let mut table = growth(&parting.growth);
+            table.title = format!("{chain}: {}", table.title);
+            table
+        }));
+    }
+    tables.insert(0, table);
+    tables
+}
+
+/// Where they part, in a line.
+fn place(parting: &Parting) -> String {
+    let Parting { stage, alike, sample, field, .. } = parting;
+    match field {
+        Some(Difference { field, ulps, .. }) => {
+            format!("sample {sample}, stage {stage}, field {field}: {ulps} ulp")
+        }
+        None if alike == sample => {
+            format!(
+                "stage {stage}, the digest of sample {sample} alone: every row up to it is the same"
+            )
+        }
+        None => format!("stage {stage}, after sample {alike} and by sample {sample}"),
+    }
+}
+
+fn part(parting: &Parting, rate_hz: Option<f64>) -> String {
+    let time = rate_hz.map(|rate| format!(" ({} s)", parting.sample as f64 / rate));
+    let mut text = format!("  {}{}\n", place(parting), time.unwrap_or_default());
+    if let Some(Difference { decimal: [a, b], bits: [x, y], .. }) = &parting.field {
+        text += &format!("    the one    {a:<24} {x}\n    the other  {b:<24} {y}\n");
+    }
+    if !parting.growth.is_empty() {
+        for line in growth(&parting.growth).text().lines() {
+            text += &format!("    {line}\n");
+        }
+    }
+    text
+}
+
+fn growth(growth: &[Growth]) -> Table {
+    let heads = ["stage", "sample", "field", "ulps", "the one", "the other less the one"];
+    let mut table = Table::new("how the difference grows (the worst field)", &heads);
+    for Growth { stage, sample, worst } in growth {
+        let Difference { field, decimal: [a, _], difference, ulps, .. } = worst;
+        table.rows.push(vec![
+            stage.clone(),
+            sample.to_string(),
+            field.clone(),
+            ulps.to_string(),
+            a.clone(),
+            format!("{difference:.3e}"),
+        ]);
+    }
+    table
+}
+
+/// What one unit in the last place does: a table for each time.
+pub fn sensitivity(scene: &Scene, effects: &[Effect]) -> Vec<Table> {
+    let precision = scene.navigator.precision.name();
+    let quantities = [Quantity::Position, Quantity::Velocity, Quantity::Attitude];
+    let heads = ["input", "its ulp", "position", "velocity", "attitude"];
+    let times = effects.first().map_or(0, |effect| effect.after.len());
+    let table = |i: usize| {
+        let time_s = effects.first().and_then(|e| e.after.get(i)).map_or(0.0, |m| m.time_s);
+        let title = format!("{}, {precision}: moved after {time_s} s by one ulp of", scene.name);
+        let mut table = Table::new(&title, &heads);
+        let mut worst = [0.0; 3];
+        let mut row = |input: &str, ulp: String, norms: [f64; 3]| {
+            let mut row = vec![input.to_owned(), ulp];
+            row.extend(quantities.iter().zip(norms).map(|(q, x)| printed(&q.show(x))));
+            table.rows.push(row);
+        };
+        for effect in effects {
+            let Some(moved) = effect.after.get(i) else { continue };
+            let norms = moved.norms();
+            worst = std::array::from_fn(|k| f64::max(worst[k], norms[k]));
+            row(&effect.input, format!("{:.1e}", effect.ulp), norms);
+        }
+        row("the most: digits below mean nothing", String::new(), worst);
+        table
+    };
+    (0..times).map(table).collect()
+}

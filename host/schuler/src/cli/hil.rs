@@ -1,0 +1,85 @@
+//! Options of `hil`.
+
+use super::{Every, FlightOptions, NavigatorOptions, load};
+use crate::hil::Manner;
+use crate::hil::device::Device;
+use crate::hil::faults::Rates;
+use clap::Args;
+use schuler_simulator::input::{Complaint, InputError, Range};
+use schuler_simulator::scene::Scene;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Where `tests/firmware` leaves the navigator for QEMU.
+const IMAGE: &str = "tests/firmware/target/thumbv7em-none-eabihf/release/navigator";
+
+/// Options of `hil`.
+#[derive(Args, Clone, Debug, PartialEq)]
+#[command(after_help = "Examples:\n  \
+    schuler hil paper --duration 60 --precision f32\n  \
+    schuler hil hard --faults all=0.01 --fault-seed 7\n  \
+    schuler hil paper --device serial:/dev/ttyACM0 --stream")]
+pub struct HilArgs {
+    /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
+    pub scene: Option<String>,
+    /// What flies beside the host: twin, qemu, serial:PORT, serial:PORT@BAUD or tcp:HOST:PORT
+    #[arg(long, value_name = "DEVICE", default_value = "twin", value_parser = Device::parse)]
+    pub device: Device,
+    /// The image that `--device qemu` runs
+    #[arg(long, value_name = "FILE", default_value = IMAGE)]
+    pub image: PathBuf,
+    /// Send each sample at its own time, and measure how long its answer takes
+    #[arg(long)]
+    pub stream: bool,
+    /// Faults to put in on the way: NAME=RATE,… of drop, duplicate, reorder, delay, truncate, flip, stall,
+    /// reboot; or all=RATE, shared by all of them
+    #[arg(long, value_name = "FAULTS", value_parser = Rates::parse)]
+    pub faults: Option<Rates>,
+    /// Seed of the faults
+    #[arg(long, value_name = "N", default_value = "1", requires = "faults")]
+    pub fault_seed: u64,
+    /// How often a sample that is not answered is sent again before it is given up
+    #[arg(long, value_name = "N", default_value = "5")]
+    pub retries: u32,
+    /// How long each answer is waited for, seconds [default: 5 at first, then as long as answers take]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = timeout)]
+    pub timeout: Option<Duration>,
+    /// Folder for summary.json, drift.csv, drift.png and report.html [default: out/ and the name of the scene]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// What replaces the scene's own values.
+    #[command(flatten)]
+    pub flight: FlightOptions,
+    /// How to navigate.
+    #[command(flatten)]
+    pub navigator: NavigatorOptions,
+    /// Write no report.html and no drift.png
+    #[arg(long)]
+    pub no_report: bool,
+    /// Rows of drift.csv to write: every N-th sample, or one each S seconds, as in 10s [default: all]
+    #[arg(long, value_name = "N|S", allow_negative_numbers = true, value_parser = Every::parse)]
+    pub every: Option<Every>,
+}
+
+impl HilArgs {
+    /// The scene, with every option applied.
+    pub fn scene(&self) -> Result<Scene, InputError> {
+        load(self.scene.as_deref(), &self.flight, &self.navigator)
+    }
+
+    /// How it is flown.
+    pub fn manner(&self) -> Manner {
+        let faults = self.faults.map(|rates| (rates, self.fault_seed));
+        let Self { retries, stream, timeout, .. } = *self;
+        Manner { retries, faults, stream, timeout }
+    }
+}
+
+/// The shortest wait that lines know, and one that nobody sits out.
+const TIMEOUT_S: Range = Range::from_to(0.001, 3600.0, "seconds, from 0.001 to 3600");
+
+fn timeout(text: &str) -> Result<Duration, Complaint> {
+    let seconds =
+        text.parse().map_err(|_| Complaint::new("is not a number", TIMEOUT_S.accepted))?;
+    TIMEOUT_S.check(seconds).map(Duration::from_secs_f64)
+}

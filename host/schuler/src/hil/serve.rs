@@ -1,0 +1,29 @@
+//! The target's application behind standard input and output: the other end of `--device twin`.
+
+use schuler::link::fleet::Every;
+use schuler::link::target::Target;
+use schuler_simulator::input::{Complaint, InputError};
+use std::io::{self, Read, Write};
+
+/// Serves until the input ends.
+pub fn serve() -> Result<(), InputError> {
+    let fault = |error: io::Error| {
+        let what = format!("the line to the host has ended: {error}");
+        InputError::option("twin", Complaint::new(what, ""))
+    };
+    let (mut from, mut to) = (io::stdin().lock(), io::stdout().lock());
+    let (mut buffer, mut answers) = ([0; 4096], Vec::new());
+    let mut target = Target::<Every>::new(0);
+    target.hello(&mut |bytes| answers.extend_from_slice(bytes));
+    loop {
+        to.write_all(&answers).and_then(|()| to.flush()).map_err(fault)?;
+        answers.clear();
+        let length = from.read(&mut buffer).map_err(fault)?;
+        if length == 0 {
+            return Ok(());
+        }
+        for &byte in &buffer[..length] {
+            target.take(byte, &mut |bytes| answers.extend_from_slice(bytes));
+        }
+    }
+}

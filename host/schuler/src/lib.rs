@@ -1,0 +1,19 @@
+//! The program `schuler`: its commands, each on the simulator, and what they write.
+//!
+//! | room | what it has |
+//! |---|---|
+//! | [`cli`] | the command line, as plain requests |
+//! | [`run`], [`emulate`], [`replay`] | one flight, one stream, one recording |
+//! | [`frontier`], [`stress`], [`ensemble`], [`audit`], [`hil`] | the experiments, which do not know each other |
+//! | [`report`] | what a flight leaves: tables, files, charts, pages |
+
+pub mod audit;
+pub mod cli;
+pub mod emulate;
+pub mod ensemble;
+pub mod frontier;
+pub mod hil;
+pub mod replay;
+pub mod report;
+pub mod run;
+pub mod stress;

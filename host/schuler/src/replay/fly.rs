@@ -1,0 +1,259 @@
+//! The flight through a recording: samples one by one, for alignment or navigation.
+
+use super::rows::Rows;
+use super::spans::{Place, Spans};
+use crate::cli::ReplayArgs;
+use schuler::flight::plan;
+use schuler::solution::Solution;
+use schuler_simulator::high::Neglected;
+use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::navigator::{self, Navigate, Unavailable};
+use schuler_simulator::output::large_table;
+use schuler_simulator::progress::Progress;
+use schuler_simulator::recording::clock::Clock;
+use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
+use schuler_simulator::recording::rows::Recording;
+use schuler_simulator::recording::samples::{MOST_BRIDGED, Sample, Samples};
+use schuler_simulator::recording::survey::Survey;
+use schuler_simulator::recording::timeline::Misfit;
+use schuler_simulator::rest::align;
+use schuler_simulator::rest::opening::Opening;
+use schuler_simulator::scene::{Gap as Policy, Navigator, WindowShape};
+use schuler_simulator::simulate::FlightError;
+use schuler_simulator::units::DEGREE;
+
+/// A time, s, and the navigation then.
+type Row = (f64, Solution<f64>);
+
+/// What came of it.
+pub struct Flight {
+    /// Where it started.
+    pub start: Solution<f64>,
+    /// The last row and its time, s.
+    pub last: (f64, Solution<f64>),
+    /// What was made up for.
+    pub bridged: Bridged,
+    /// Lines that could not be read outside what was flown: how many, and the first.
+    pub outside: (u64, Option<InputError>),
+    /// What the series of gravity neglects at the height reached.
+    pub neglected: Option<Neglected>,
+}
+
+/// Missing samples that were filled from their neighbours.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bridged {
+    /// In how many gaps.
+    pub gaps: u64,
+    /// How many samples.
+    pub samples: u64,
+    /// Their length, s.
+    pub time_s: f64,
+    /// Length of the longest gap, s.
+    pub longest_s: f64,
+    last_line: u64,
+}
+
+impl Bridged {
+    fn add(&mut self, sample: &Sample) {
+        if sample.line != self.last_line {
+            self.gaps += 1;
+            self.last_line = sample.line;
+        }
+        self.samples += 1;
+        self.time_s += sample.interval_s;
+        self.longest_s = self.longest_s.max(sample.interval_s * sample.missing as f64);
+    }
+}
+
+/// What every sample is flown with.
+struct Flying<'a> {
+    recording: &'a Recording,
+    even: bool,
+    navigator: Box<dyn Navigate>,
+    rows: Rows,
+    /// Where it was not aligned.
+    opening: Option<Opening<'a>>,
+}
+
+/// Flies a recording and writes its rows.
+pub fn fly(
+    recording: &Recording,
+    survey: &Survey,
+    spans: &Spans,
+    initial: &NavigationRow,
+    options: &Navigator,
+    shape: WindowShape,
+    args: &ReplayArgs,
+) -> Result<Flight, FlightError> {
+    let mut samples = Samples::new(recording, survey, Some(spans.begin_s))?;
+    let mut still = align::gather(spans.navigate_s - spans.begin_s);
+    // Of the stretch at rest: samples that were there, and that were missing.
+    let (mut there, mut lost) = (0, 0);
+    let mut flying: Option<Flying> = None;
+    let mut start = *initial;
+    let mut bridged = Bridged::default();
+    let mut outside = (0, None);
+    let mut begun = false;
+    let progress = Progress::new(survey.rows);
+    let mut count = 0;
+    while let Some(sample) = samples.advance()? {
+        pass_over(&sample.unread, spans, &mut outside)?;
+        count += 1;
+        match spans.place(sample.end_s) {
+            Place::Before => continue,
+            Place::Still => {
+                begun |= there == 0 && spans.begins_at(&sample, spans.begin_s);
+                // What is missing before the stretch is no loss to it.
+                let within = there > 0 || sample.filled;
+                bridgeable(recording, &sample, options.gap, within)?;
+                if sample.filled {
+                    lost += 1;
+                } else {
+                    there += 1;
+                    still.add(&sample.increment, sample.interval_s);
+                }
+            }
+            Place::Flown => {
+                let flying = match &mut flying {
+                    Some(flying) => {
+                        bridgeable(recording, &sample, options.gap, true)?;
+                        flying
+                    }
+                    none => {
+                        bridgeable(recording, &sample, options.gap, sample.filled)?;
+                        spans.check_first(&sample, begun)?;
+                        if args.align.is_some() {
+                            let heading = args.heading.map(|heading| heading * DEGREE);
+                            let (name, kind) = (&recording.name, recording.kind);
+                            start =
+                                align::align(&still, kind, name, initial, heading, there, lost)?;
+                        }
+                        none.insert(Flying::new(
+                            recording, survey, spans, options, shape, &start, args,
+                        )?)
+                    }
+                };
+                if sample.filled {
+                    bridged.add(&sample);
+                }
+                flying.take(&sample)?;
+            }
+            Place::After => break,
+        }
+        progress.reach(count);
+    }
+    pass_over(samples.trailing(), spans, &mut outside)?;
+    progress.finish();
+    let flying = flying.ok_or_else(|| spans.empty())?;
+    let (last, neglected) = flying.finish()?;
+    Ok(Flight { start: start.solution(), last, bridged, outside, neglected })
+}
+
+impl<'a> Flying<'a> {
+    fn new(
+        recording: &'a Recording,
+        survey: &Survey,
+        spans: &Spans,
+        options: &Navigator,
+        shape: WindowShape,
+        start: &NavigationRow,
+        args: &ReplayArgs,
+    ) -> Result<Self, FlightError> {
+        let (order, interval) = (plan::HIGHEST_ORDER, survey.clock.interval());
+        let opening = args.align.is_none();
+        let opening = opening.then(|| Opening::new(&recording.name, recording.kind, start));
+        let start = (spans.navigate_s, start.solution());
+        let navigator =
+            navigator::start(options, shape, order, interval, &start.1).map_err(unavailable)?;
+        let interval_s = survey.clock.interval_s();
+        let samples = (spans.until_s.min(survey.end_s) - start.0) / interval_s;
+        let kept =
+            args.every.map_or(samples as u64, |every| every.kept(samples as u64, interval_s));
+        if let Some(warning) = large_table(&args.out, kept, COLUMNS.len()) {
+            eprintln!("{warning}");
+        }
+        let even = matches!(survey.clock, Clock::Even { .. });
+        let rows = Rows::new(&args.out, args.every, start)?;
+        Ok(Self { recording, even, navigator, rows, opening })
+    }
+
+    fn take(&mut self, sample: &Sample) -> Result<(), FlightError> {
+        let Self { recording, even, navigator, rows, opening } = self;
+        if let Some(opening) = opening {
+            opening.add(&sample.increment, sample.interval_s)?;
+        }
+        rows.expect(sample.time_s);
+        let taken = if *even {
+            navigator.push(&sample.increment, &mut |_, row| rows.add(row))
+        } else {
+            let interval_s = sample.interval_s;
+            navigator.push_over(&sample.increment, interval_s, &mut |_, row| rows.add(row))
+        };
+        taken.map_err(|why| {
+            let complaint = Complaint::new(why.to_string(), "");
+            FlightError::Stopped(recording.error(sample.line, complaint))
+        })?;
+        Ok(rows.check()?)
+    }
+
+    /// The last row with its time, and what gravity's series neglects.
+    fn finish(self) -> Result<(Row, Option<Neglected>), InputError> {
+        let Self { mut navigator, mut rows, mut opening, .. } = self;
+        if let Some(opening) = &mut opening {
+            opening.finish()?;
+        }
+        navigator.finish(&mut |_, row| rows.add(row));
+        let neglected = rows.highest.neglected();
+        Ok((rows.finish()?, neglected))
+    }
+}
+
+/// Refuses lines that could not be read where they are needed, and counts the others.
+fn pass_over(
+    unread: &[Misfit],
+    spans: &Spans,
+    outside: &mut (u64, Option<InputError>),
+) -> Result<(), InputError> {
+    for misfit in unread {
+        if matches!(spans.place(misfit.time_s), Place::Still | Place::Flown) {
+            return Err(misfit.error.clone());
+        }
+        outside.0 += 1;
+        outside.1.get_or_insert_with(|| misfit.error.clone());
+    }
+    Ok(())
+}
+
+/// Refuses a sample that fills a gap, unless gaps are bridged, and one after a gap that is too long.
+fn bridgeable(
+    recording: &Recording,
+    sample: &Sample,
+    policy: Policy,
+    within: bool,
+) -> Result<(), FlightError> {
+    let missing = sample.missing;
+    if missing == 0 || !within {
+        return Ok(());
+    }
+    let what = format!(
+        "{missing} samples are missing before this one, {:.6} s",
+        missing as f64 * sample.interval_s
+    );
+    let complaint = if missing > MOST_BRIDGED {
+        Complaint::new(what, format!("at most {MOST_BRIDGED}"))
+    } else if policy == Policy::Error {
+        Complaint::new(what, "--gap bridge, which fills them from their neighbours")
+    } else {
+        return Ok(());
+    };
+    Err(FlightError::Stopped(recording.error(sample.line, complaint)))
+}
+
+fn unavailable(error: Unavailable) -> InputError {
+    let option = match error {
+        Unavailable::Window { .. } | Unavailable::NoWindow => "--window",
+        Unavailable::TwoFloat => "--precision",
+        Unavailable::Start(_) => "--initial",
+    };
+    InputError::option(option, error.complaint())
+}

@@ -1,0 +1,57 @@
+//! Charts as parts of an HTML page.
+
+use super::{drift_charts, motion_charts};
+use schuler_report::chart::{Chart, Frame};
+use schuler_report::svg::{Svg, escape};
+use schuler_simulator::flight::Instant;
+
+/// Width and height of a chart in a column of three.
+const CHART: (f32, f32) = (400.0, 250.0);
+/// The same of the ground track, and of the height beside it, which takes two columns.
+const MAP: (f32, f32) = (400.0, 320.0);
+const WIDE: (f32, f32) = (812.0, 320.0);
+
+/// Errors in three rows of three, with their legend.
+pub fn errors(instants: &[Instant]) -> String {
+    let charts = drift_charts::errors(instants);
+    let has_bands = charts.iter().flatten().any(|chart| !chart.bands.is_empty());
+    let mut legend = Svg::default();
+    drift_charts::legend(&mut legend, [2.0, 11.0], has_bands);
+    let figures: String =
+        charts.into_iter().flatten().map(|chart| figure(chart, CHART, "")).collect();
+    format!(
+        "<div class=\"legend\">{}</div>\n<div class=\"charts\">\n{figures}</div>\n",
+        legend.finish(420.0, 22.0, "role=\"img\" aria-label=\"legend\"")
+    )
+}
+
+/// Ground track and height, and the attitude below them.
+pub fn motion(instants: &[Instant]) -> String {
+    let track = figure(motion_charts::ground_track(instants), MAP, "");
+    let height = figure(motion_charts::height(instants), WIDE, " class=\"wide\"");
+    let attitude = motion_charts::attitude(instants).map(|chart| figure(chart, CHART, ""));
+    format!("<div class=\"charts\">\n{track}{height}{}</div>\n", attitude.concat())
+}
+
+fn figure(chart: Chart, (width, height): (f32, f32), class: &str) -> String {
+    let frame = Frame { left: 0.0, top: 0.0, width, height };
+    let chart = chart.fitted(frame);
+    let inner = chart.inner(frame);
+    let mut svg = Svg::default();
+    chart.draw(&mut svg, frame);
+    let attributes = format!(
+        "role=\"img\" aria-label=\"{}\" data-box=\"{} {} {} {}\" data-range=\"{} {} {} {}\" data-x=\"{}\"{}",
+        escape(&chart.title),
+        inner.left,
+        inner.top,
+        inner.width,
+        inner.height,
+        chart.x.from,
+        chart.x.to,
+        chart.y.from,
+        chart.y.to,
+        escape(&chart.x.label),
+        if chart.is_map { " data-map" } else { "" }
+    );
+    format!("<figure{class}>{}</figure>\n", svg.finish(width, height, &attributes))
+}

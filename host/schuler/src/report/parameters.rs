@@ -1,0 +1,149 @@
+//! The scene for people: every parameter in the unit of its file.
+
+use schuler_simulator::number;
+use schuler_simulator::scene::terms::{Key, TERMS, Term};
+use schuler_simulator::scene::{Channel, GaussMarkov, Scene, SensorErrors};
+use schuler_simulator::units::{self, DEGREE};
+use std::f64::consts::TAU;
+
+fn parameter(value: f64) -> String {
+    schuler_report::axis::printed(&number::parameter(value))
+}
+
+/// Names and what they are set to.
+pub type Rows = Vec<Vec<String>>;
+
+fn axes(values: &[f64; 3], unit: f64, name: &str) -> String {
+    let shown = values.map(|value| parameter(value / unit));
+    match shown.iter().all(|value| *value == shown[0]) {
+        true => format!("{} {name}", shown[0]),
+        false => format!("{} {name}", shown.join(", ")),
+    }
+}
+
+/// A row per error term that either sensor has: its name, the gyro's value, the accelerometer's.
+pub fn sensors(scene: &Scene) -> Rows {
+    // Biases, whose unit is the constant one's, come before all else.
+    let is_bias = |term: &Term| term.gyro.is_some_and(|key| key.symbol == "°/h");
+    let (biases, others): (Vec<_>, Vec<_>) = TERMS.iter().partition(|term| is_bias(term));
+    let both = |name: &str, cells: [Option<String>; 2]| {
+        cells.iter().any(Option::is_some).then(|| {
+            let [gyro, accelerometer] = cells.map(|cell| cell.unwrap_or_else(|| "—".to_owned()));
+            vec![name.to_owned(), gyro, accelerometer]
+        })
+    };
+    let markov = |sensor: &SensorErrors, unit: f64, name: &str| {
+        sensor.gauss_markov.map(|GaussMarkov { rms, correlation_s }| {
+            format!("{} rms, {}", axes(&rms, unit, name), axes(&correlation_s, 1.0, "s"))
+        })
+    };
+    let (gyro, accelerometer) = (&scene.gyro, &scene.accelerometer);
+    let mut rows: Rows = biases
+        .into_iter()
+        .chain(others)
+        .filter_map(|term| {
+            let cell = |sensor, key: Option<Key>| {
+                let values = (term.values)(sensor)?;
+                key.map(|Key { unit, symbol, .. }| axes(&values, unit, symbol))
+            };
+            both(term.name, [cell(gyro, term.gyro), cell(accelerometer, term.accelerometer)])
+        })
+        .collect();
+    let markovs =
+        [markov(gyro, units::DEGREE_PER_HOUR, "°/h"), markov(accelerometer, units::MICRO_G, "µg")];
+    rows.extend(both("Gauss-Markov bias", markovs));
+    rows
+}
+
+/// A row per channel: its name and its formula.
+pub fn trajectory(scene: &Scene) -> Rows {
+    let t = &scene.trajectory;
+    [
+        ("roll", &t.roll, DEGREE, "°"),
+        ("pitch", &t.pitch, DEGREE, "°"),
+        ("yaw", &t.yaw, DEGREE, "°"),
+        ("latitude", &t.latitude, DEGREE, "°"),
+        ("longitude", &t.longitude, DEGREE, "°"),
+        ("altitude", &t.altitude, 1.0, " m"),
+    ]
+    .into_iter()
+    .map(|(name, channel, unit, symbol)| vec![name.to_owned(), formula(channel, unit, symbol)])
+    .collect()
+}
+
+/// offset + rate·t + Σ amplitude·cos(2πt/period + phase).
+fn formula(channel: &Channel, unit: f64, symbol: &str) -> String {
+    let mut terms = Vec::new();
+    if channel.offset != 0.0 {
+        terms.push(format!("{}{symbol}", parameter(channel.offset / unit)));
+    }
+    if channel.rate != 0.0 {
+        terms.push(format!("{}{symbol}/s · t", parameter(channel.rate / unit)));
+    }
+    for harmonic in &channel.harmonics {
+        let phase = match harmonic.phase {
+            0.0 => String::new(),
+            phase => format!(" + {}°", parameter(phase / DEGREE)),
+        };
+        let amplitude = parameter(harmonic.amplitude / unit);
+        let period = parameter(TAU / harmonic.angular_rate);
+        terms.push(format!("{amplitude}{symbol} cos(2πt/{period} s{phase})"));
+    }
+    if terms.is_empty() { format!("0{symbol}") } else { terms.join(" + ").replace("+ −", "− ") }
+}
+
+/// How the scene is navigated, what its start is off by, and what its link does.
+pub fn navigation(scene: &Scene) -> Rows {
+    let n = &scene.navigator;
+    let row = |name: &str, value: String| vec![name.to_owned(), value];
+    let mut rows = vec![
+        row("frame", n.frame.name().to_owned()),
+        row("precision", n.precision.name().to_owned()),
+        row("algorithm", n.algorithm.name().to_owned()),
+        row("vertical channel", n.vertical.name().to_owned()),
+        row("missing sample", n.gap.name().to_owned()),
+        row("samples lost", format!("{} %", parameter(100.0 * scene.link.loss))),
+        row("sampling jitter, rms", format!("{} s", parameter(scene.link.jitter_s))),
+    ];
+    let start = &scene.initial_error;
+    for (name, values, unit, symbol) in [
+        ("start off by, position", &start.position_m, 1.0, "m"),
+        ("start off by, velocity", &start.velocity_m_s, 1.0, "m/s"),
+        ("start off by, attitude", &start.attitude_rad, units::ARCSECOND, "arcsec"),
+    ] {
+        if *values != [0.0; 3] {
+            rows.push(row(name, axes(values, unit, symbol)));
+        }
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample;
+    use super::*;
+
+    #[test]
+    fn values_stand_in_their_files_units() {
+        let mut scene = sample::flight().scene;
+        scene.accelerometer.scale_factor = Some([1e-6, -2e-6, 3e-6]);
+        let rows = sensors(&scene);
+        let row = |name: &str| rows.iter().find(|row| row[0] == name).unwrap()[1..].to_vec();
+        assert_eq!(row("constant bias"), ["0.1 °/h", "—"]);
+        assert_eq!(row("angle, velocity random walk"), ["0.01 °/√h", "—"]);
+        assert_eq!(row("scale factor"), ["—", "1, −2, 3 ppm"]);
+        assert_eq!(row("Gauss-Markov bias"), ["0.1 °/h rms, 720 s", "100 µg rms, 720 s"]);
+        assert!(sensors(&sample::perfect().scene).is_empty());
+    }
+
+    #[test]
+    fn channels_read_as_formulas() {
+        let scene = sample::flight().scene;
+        let rows = trajectory(&scene);
+        assert_eq!(rows[3], ["latitude", "45° + 5° cos(2πt/7200 s)"]);
+        assert_eq!(rows[5], ["altitude", "3500 m + 2000 m cos(2πt/7200 s + 30°)"]);
+        assert_eq!(formula(&Channel::default(), 1.0, " m"), "0 m");
+        let channel = Channel { offset: 1.0, rate: -2.0, harmonics: Vec::new() };
+        assert_eq!(formula(&channel, 1.0, " m"), "1 m − 2 m/s · t");
+    }
+}

@@ -1,0 +1,88 @@
+//! `drift.png`: position, velocity and attitude errors with theory's bands, in three rows.
+
+use super::{drift_charts, heading};
+use schuler_report::canvas::{Anchor, Canvas, Ink, Lettering};
+use schuler_report::chart::Frame;
+use schuler_report::raster::Raster;
+use schuler_simulator::flight::Flight;
+use std::io;
+
+const WIDTH: u32 = 1200;
+const HEIGHT: u32 = 900;
+const EDGE: f32 = 12.0;
+const HEAD: f32 = 60.0;
+
+/// The picture as a PNG.
+pub fn png(flight: &Flight) -> io::Result<Vec<u8>> {
+    let mut sheet = Raster::new(WIDTH, HEIGHT).ok_or_else(|| io::Error::other("no font"))?;
+    let letters = |size, bold| Lettering { size, bold, anchor: Anchor::Start };
+    let left = EDGE + 14.0;
+    sheet.text([left, 30.0], &flight.scene.title, Ink::Text, letters(20.0, true));
+    sheet.text([left, 50.0], &heading(flight), Ink::Muted, letters(12.5, false));
+    let charts = drift_charts::errors(&flight.overview);
+    let has_bands = charts.iter().flatten().any(|chart| !chart.bands.is_empty());
+    drift_charts::legend(&mut sheet, [if has_bands { 780.0 } else { 970.0 }, 26.0], has_bands);
+    let width = (WIDTH as f32 - 2.0 * EDGE) / 3.0;
+    let height = (HEIGHT as f32 - HEAD - EDGE) / 3.0;
+    for (row, charts) in charts.iter().enumerate() {
+        for (column, chart) in charts.iter().enumerate() {
+            let left = EDGE + column as f32 * width;
+            let top = HEAD + row as f32 * height;
+            chart.draw(&mut sheet, Frame { left, top, width, height });
+        }
+    }
+    sheet.png()
+}
+
+/// The file's name.
+pub const NAME: &str = "drift.png";
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample;
+    use super::*;
+    use std::collections::HashMap;
+
+    fn decode(bytes: &[u8]) -> (u32, u32, Vec<[u8; 3]>) {
+        let mut reader = png::Decoder::new(io::Cursor::new(bytes)).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        assert_eq!(info.color_type, png::ColorType::Rgb);
+        let pixels = pixels.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
+        (info.width, info.height, pixels)
+    }
+
+    fn count(pixels: &[[u8; 3]]) -> HashMap<[u8; 3], usize> {
+        let mut counts = HashMap::new();
+        for &pixel in pixels {
+            *counts.entry(pixel).or_default() += 1;
+        }
+        counts
+    }
+
+    #[test]
+    fn shows_curves_bands_and_letters() {
+        let (width, height, pixels) = decode(&png(&sample::flight()).unwrap());
+        assert_eq!((width, height), (WIDTH, HEIGHT));
+        let colours = count(&pixels);
+        for ink in [Ink::North, Ink::East, Ink::Down] {
+            assert!(colours.get(&ink.light()).is_some_and(|&n| n > 300), "{ink:?}");
+        }
+        // The bands: paler than their curves, over much of the sheet.
+        let pale = colours.iter().filter(|(colour, _)| {
+            let (low, high) = (colour.iter().min().unwrap(), colour.iter().max().unwrap());
+            high - low > 12 && *low > 120
+        });
+        assert!(pale.map(|(_, n)| n).sum::<usize>() > 50_000);
+        // Letters at the top left.
+        let title = pixels.chunks(WIDTH as usize).take(32).flat_map(|row| &row[20..400]);
+        assert!(title.filter(|&&pixel| pixel == Ink::Text.light()).count() > 100);
+    }
+
+    #[test]
+    fn an_empty_run_still_makes_a_sheet() {
+        let mut flight = sample::perfect();
+        flight.overview.clear();
+        assert_eq!(decode(&png(&flight).unwrap()).0, WIDTH);
+    }
+}

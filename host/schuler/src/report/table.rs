@@ -1,0 +1,281 @@
+//! The drift table: errors at a dozen times beside their theoretical values.
+
+use super::{largest, norm};
+use schuler_simulator::flight::{Flight, Instant, Nine, Used};
+use schuler_simulator::number::{Quantity, Unit, rounded};
+use schuler_simulator::theory::Outside;
+
+/// How many rows the table has.
+const ROWS: usize = 12;
+/// What stands where theory has ended.
+const NOTHING: &str = "–";
+/// Characters of theory's mean ± 1σ.
+const THEORY_WIDTH: usize = 13;
+
+/// A column: one number of [`Nine`], in a unit that suits the whole run.
+pub struct Column {
+    /// What it is.
+    pub name: &'static str,
+    /// The unit of its numbers.
+    pub unit: Unit,
+    /// Whether it is a norm rather than a signed component.
+    pub is_norm: bool,
+    pick: fn(&Nine) -> f64,
+}
+
+impl Column {
+    /// Characters of an error: a norm has no sign.
+    fn width(&self) -> usize {
+        if self.is_norm { 5 } else { 6 }
+    }
+
+    /// Error, mean and standard deviation. Of a norm they are the norms of each; the norm of
+    /// the standard deviations is the root of the covariance's trace.
+    pub fn cells(&self, instant: &Instant) -> [String; 3] {
+        [(&instant.drift, 4), (&instant.mean, 3), (&instant.sigma, 3)].map(|(nine, digits)| {
+            match (self.pick)(nine) * self.unit.factor {
+                value if value.is_nan() => NOTHING.to_owned(),
+                value => rounded(value, digits),
+            }
+        })
+    }
+}
+
+/// The table's five columns.
+pub fn columns(flight: &Flight) -> [Column; 5] {
+    let unit = |quantity: Quantity, part: fn(&Nine) -> [f64; 3]| {
+        let rows = rows(flight).into_iter();
+        quantity.unit(largest(rows.flat_map(|i| [i.drift, i.mean, i.sigma]).flat_map(|n| part(&n))))
+    };
+    let position = unit(Quantity::Position, |nine| nine.position_m);
+    let velocity = unit(Quantity::Velocity, |nine| nine.velocity_m_s);
+    let attitude = unit(Quantity::Attitude, |nine| nine.attitude_arcsec);
+    let component = |name, pick| Column { name, unit: position, is_norm: false, pick };
+    [
+        component("north", |nine| nine.position_m[0]),
+        component("east", |nine| nine.position_m[1]),
+        component("down", |nine| nine.position_m[2]),
+        Column {
+            name: "velocity",
+            unit: velocity,
+            is_norm: true,
+            pick: |nine| norm(nine.velocity_m_s),
+        },
+        Column {
+            name: "attitude",
+            unit: attitude,
+            is_norm: true,
+            pick: |nine| norm(nine.attitude_arcsec),
+        },
+    ]
+}
+
+/// The instants of the table's rows: spread evenly, the last one included.
+pub fn rows(flight: &Flight) -> Vec<&Instant> {
+    let mut rows: Vec<&Instant> = Vec::with_capacity(ROWS);
+    for k in 1..ROWS {
+        let time_s = flight.last.time_s * k as f64 / ROWS as f64;
+        let after = flight.overview.partition_point(|instant| instant.time_s < time_s);
+        let nearest = flight.overview[after.saturating_sub(1)..]
+            .iter()
+            .take(2)
+            .min_by(|a, b| (a.time_s - time_s).abs().total_cmp(&(b.time_s - time_s).abs()));
+        rows.extend(nearest);
+    }
+    rows.retain(|instant| instant.time_s < flight.last.time_s);
+    rows.dedup_by_key(|instant| instant.time_s);
+    rows.push(&flight.last);
+    rows
+}
+
+/// The table for a terminal, 120 columns at most, with a verdict below it.
+pub fn table(flight: &Flight) -> String {
+    let columns = columns(flight);
+    let whole_s = flight.last.time_s >= 1000.0;
+    let mut lines = vec![format!("{:>6} ", "time"), format!("{:>6} ", "s"), "─".repeat(7)];
+    for column in &columns {
+        let (error, theory) = (column.width(), THEORY_WIDTH);
+        let width = error + 1 + theory;
+        let bars = if column.is_norm { "|" } else { "" };
+        let heading = format!("{bars}{}{bars} {}", column.name, column.unit.name);
+        lines[0] += &format!("│ {heading:^width$} ");
+        lines[1] += &format!("│ {:>error$} {:>theory$} ", "error", "mean ± 1σ  ");
+        lines[2] += &format!("┼{}", "─".repeat(width + 2));
+    }
+    for instant in rows(flight) {
+        let decimals = if whole_s { 0 } else { 2 };
+        let mut line = format!("{:>6.decimals$} ", instant.time_s);
+        for column in &columns {
+            let [error, mean, sigma] = column.cells(instant);
+            let theory = match sigma.as_str() {
+                NOTHING => format!("{NOTHING:^THEORY_WIDTH$}"),
+                _ => format!("{mean:>5} ± {sigma:<5}"),
+            };
+            line += &format!("│ {error:>w$} {theory} ", w = column.width());
+        }
+        lines.push(line);
+    }
+    lines.push(String::new());
+    lines.extend(super::ended(flight));
+    lines.extend(verdict(flight));
+    lines.extend(edges(flight));
+    lines.extend(unit_note(&columns));
+    lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// How long the windows were that stand at an edge, if any did.
+fn edges(flight: &Flight) -> Option<String> {
+    let part = |name: &str, used: Option<Used>| {
+        let Used { gyro, accelerometer } = used?;
+        Some(format!("{name} block {gyro} and {accelerometer}"))
+    };
+    let edges = flight.edges?;
+    let parts: Vec<_> =
+        [part("first", edges.first), part("last", edges.last)].into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| {
+        format!("Samples fitted at the edges, of gyros and accelerometers: {}.", parts.join("; "))
+    })
+}
+
+/// What the attitude's unit means where it is not the usual one.
+pub fn unit_note(columns: &[Column]) -> Option<String> {
+    let unit = columns.iter().map(|column| column.unit).find(|unit| unit.name.ends_with("as"))?;
+    Some(format!("{} is {:e} arcsec.", unit.name, 1.0 / unit.factor))
+}
+
+/// How far each component lies from theory's mean in its standard deviations; `None` where
+/// theory expects no scatter.
+pub fn z_scores(last: &Instant) -> [Option<f64>; 3] {
+    std::array::from_fn(|axis| {
+        let sigma = last.sigma.position_m[axis];
+        let deviation = last.drift.position_m[axis] - last.mean.position_m[axis];
+        (sigma > 0.0).then(|| deviation / sigma)
+    })
+}
+
+/// The run in two lines: what the error came to, and what theory says of it.
+pub fn verdict(flight: &Flight) -> [String; 2] {
+    let last = &flight.last;
+    let position = |nine: &Nine| Quantity::Position.show(norm(nine.position_m));
+    let outcome = format!(
+        "Position error {} at {} s, {} at its largest; velocity {}, attitude {} at the end.",
+        position(&last.drift),
+        schuler_simulator::number::parameter(last.time_s),
+        Quantity::Position.show(flight.max.norms[0]),
+        Quantity::Velocity.show(norm(last.drift.velocity_m_s)),
+        Quantity::Attitude.show(norm(last.drift.attitude_arcsec)),
+    );
+    let scores = z_scores(last);
+    let theory = if scores.iter().any(Option::is_some) {
+        let score = |axis: usize| match scores[axis] {
+            Some(z) => format!("{z:+.2}σ"),
+            None => "no scatter".to_owned(),
+        };
+        format!(
+            "Theory: mean {}, 1σ {}; the error lies {} north, {} east, {} down of the mean.",
+            position(&last.mean),
+            position(&last.sigma),
+            score(0),
+            score(1),
+            score(2),
+        )
+    } else if norm(last.mean.position_m) > 0.0 {
+        let rest: [f64; 3] =
+            std::array::from_fn(|axis| last.drift.position_m[axis] - last.mean.position_m[axis]);
+        format!(
+            "Theory: mean {}, nothing random; the error differs from it by {}.",
+            position(&last.mean),
+            Quantity::Position.show(norm(rest)),
+        )
+    } else {
+        "Theory: no drift to expect; the error is the navigator's own.".to_owned()
+    };
+    [outcome, outside_theory(flight).unwrap_or(theory)]
+}
+
+/// What happened that the linear error model does not know, if anything.
+fn outside_theory(flight: &Flight) -> Option<String> {
+    let mut reasons = Vec::new();
+    if flight.saturated > 0 {
+        reasons.push(format!("{} samples were saturated", flight.saturated));
+    }
+    if flight.lost > 0 {
+        reasons.push(format!("{} samples were lost", flight.lost));
+    }
+    match flight.outside {
+        Some(Outside::Samples) | None => {}
+        Some(outside) => reasons.push(outside.to_string()),
+    }
+    let what = reasons.join(", ");
+    (!what.is_empty())
+        .then(|| format!("Theory: not comparable, the linear model ends where {what}."))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample;
+    use super::*;
+
+    fn widest(text: &str) -> usize {
+        text.lines().map(|line| line.chars().count()).max().unwrap()
+    }
+
+    #[test]
+    fn shows_a_dozen_times_with_theory_beside() {
+        let flight = sample::flight();
+        let text = table(&flight);
+        assert!(widest(&text) <= 120, "{}\n{text}", widest(&text));
+        let times: Vec<f64> =
+            rows(&flight).iter().map(|instant| (instant.time_s / 10.0).round() * 10.0).collect();
+        assert_eq!(times, (1..=12).map(|k| 150.0 * f64::from(k)).collect::<Vec<_>>());
+        let last = text.lines().find(|line| line.trim_start().starts_with("1800")).unwrap();
+        let cells: Vec<&str> = last.split('│').map(str::trim).collect();
+        let [down, mean, sigma] =
+            [(&flight.last.drift, 4), (&flight.last.mean, 3), (&flight.last.sigma, 3)]
+                .map(|(nine, digits)| rounded(nine.position_m[2], digits));
+        let plain = |cell: &str| cell.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(plain(cells[3]), format!("{down} {mean} ± {sigma}"));
+        assert_eq!(
+            plain(cells[4]).split(' ').next().unwrap(),
+            rounded(norm(flight.last.drift.velocity_m_s), 4)
+        );
+        let bars = |line: &str| -> Vec<usize> {
+            line.chars().enumerate().filter(|(_, c)| "│┼".contains(*c)).map(|(i, _)| i).collect()
+        };
+        let lines: Vec<_> = text.lines().take(3 + ROWS).map(bars).collect();
+        assert!(lines.iter().all(|columns| columns.len() == 5 && *columns == lines[0]), "{text}");
+    }
+
+    #[test]
+    fn stays_aligned_from_nanometres_to_megametres() {
+        for scale in [1e-13, 1e-9, 1e-3, 1.0, 1e3] {
+            let text = table(&sample::scaled(scale));
+            assert!(widest(&text) <= 120, "{scale}: {}\n{text}", widest(&text));
+        }
+        let text = table(&sample::perfect());
+        assert!(text.contains("north nm") && text.ends_with("pas is 1e-12 arcsec.\n"), "{text}");
+    }
+
+    #[test]
+    fn verdict_counts_standard_deviations() {
+        let mut flight = sample::flight();
+        flight.last.drift.position_m = [5.0, -1.0, 2.0];
+        flight.last.mean.position_m = [1.0, 1.0, 2.0];
+        flight.last.sigma.position_m = [2.0, 4.0, 0.0];
+        assert_eq!(z_scores(&flight.last), [Some(2.0), Some(-0.5), None]);
+        let [_, theory] = verdict(&flight);
+        assert!(theory.contains("+2.00σ north, -0.50σ east, no scatter down"), "{theory}");
+        flight.last.sigma.position_m = [0.0; 3];
+        assert!(verdict(&flight)[1].contains("differs from it by 4.472 m"));
+        assert!(verdict(&sample::perfect())[1].contains("navigator's own"));
+    }
+
+    #[test]
+    fn a_single_instant_makes_a_single_row() {
+        let mut flight = sample::flight();
+        flight.overview = vec![flight.last];
+        assert_eq!(rows(&flight).len(), 1);
+        flight.overview.clear();
+        assert_eq!(rows(&flight).len(), 1);
+    }
+}

@@ -1,0 +1,187 @@
+//! `schuler stress`: the table of numerical stability, each row with the bound it must keep.
+//!
+//! | file | what |
+//! |---|---|
+//! | `case` | cases and their checks |
+//! | `floor` | the bounds that follow from the arithmetic and from the Earth |
+//! | `flown` | a scene flown as `schuler run` flies it |
+//! | `time` | long runs, the free vertical, step sizes |
+//! | `link` | jitter and loss |
+//! | `motion` | fast rotation, large acceleration, tumbling, coning, sculling |
+//! | `residual` | the error of a window on a cone, from its interpolation |
+//! | `place` | poles, antimeridian, equator, heights |
+//! | `numbers` | zeros, subnormals, no rotation |
+//! | `refused` | input that cannot be right |
+//! | `stochastic` | a scalar that rounds at random |
+//! | `rounding` | how many digits are trustworthy |
+//! | `aged` | states stored late, sums of many terms |
+//! | `unresolved` | motion that the sampling does not resolve, noise, coarse steps |
+//! | `fuzz` | random scenes: the plan against every window |
+//! | `split_mix` | random words |
+
+mod aged;
+pub mod case;
+pub mod floor;
+mod flown;
+pub mod fuzz;
+mod link;
+mod motion;
+mod numbers;
+mod place;
+mod refused;
+pub mod residual;
+mod rounding;
+mod split_mix;
+pub mod stochastic;
+mod time;
+mod unresolved;
+
+use crate::cli::StressArgs;
+use case::{Case, Check, number};
+use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::output::{OutputFile, say};
+use schuler_simulator::progress::CaseProgress;
+use schuler_simulator::simulate::FlightError;
+
+/// Every case, the long ones among them.
+pub fn cases() -> Vec<Case> {
+    let groups = [
+        time::cases,
+        link::cases,
+        motion::cases,
+        unresolved::cases,
+        place::cases,
+        numbers::cases,
+        refused::cases,
+        rounding::cases,
+        aged::cases,
+        fuzz::cases,
+    ];
+    groups.into_iter().flat_map(|cases| cases()).collect()
+}
+
+/// Runs the cases that are asked for, prints the table and writes it where that is asked for.
+pub fn stress(args: &StressArgs) -> Result<(), FlightError> {
+    let mut cases = cases();
+    cases.retain(|case| args.full || !case.long);
+    if let Some(part) = &args.case {
+        let names: Vec<_> = cases.iter().map(Case::full_name).collect();
+        cases.retain(|case| case.full_name().contains(part.as_str()));
+        if cases.is_empty() {
+            let hint = if args.full { "" } else { " without --full" };
+            let what = format!("there is no case with {part} in its name{hint}");
+            let accepted = format!("part of one of: {}", names.join("; "));
+            return Err(InputError::option("--case", Complaint::new(what, accepted)).into());
+        }
+    }
+    // What cannot be written is found before the long work, not after it.
+    let path = args.out.as_ref().map(|folder| folder.join("stress.csv"));
+    let file = path.map(OutputFile::create).transpose()?;
+    let rows = run(&cases)?;
+    if let Some(file) = file {
+        let path = file.path().to_owned();
+        file.fill(csv(&rows))?;
+        say(&format!("written to {}\n", path.display()))?;
+    }
+    let failed = rows.iter().filter(|row| !row.passes()).count();
+    say(&format!("{} checks, {failed} failed\n", rows.len()))?;
+    judge(&rows)
+}
+
+/// An error if any row fails.
+pub fn judge(rows: &[Row]) -> Result<(), FlightError> {
+    match rows.iter().filter(|row| !row.passes()).count() {
+        0 => Ok(()),
+        failed => Err(FlightError::Failed { failed, checks: rows.len() }),
+    }
+}
+
+/// A check with the case that it belongs to.
+#[derive(Clone, Debug)]
+pub struct Row {
+    group: &'static str,
+    case: String,
+    /// The check, or why its case broke off.
+    check: Result<Check, String>,
+}
+
+impl Row {
+    /// Whether the bound is kept.
+    pub fn passes(&self) -> bool {
+        self.check.as_ref().is_ok_and(Check::passes)
+    }
+
+    fn verdict(&self) -> &'static str {
+        if self.passes() { "pass" } else { "fail" }
+    }
+
+    fn name(&self) -> String {
+        match &self.check {
+            Ok(check) => format!("{}, {}", self.case, check.what),
+            Err(_) => self.case.clone(),
+        }
+    }
+}
+
+/// Width of the column of names.
+const NAME: usize = 62;
+
+/// Runs cases and prints a row for each check as soon as it is known.
+pub fn run(cases: &[Case]) -> Result<Vec<Row>, InputError> {
+    let progress = CaseProgress::new(cases.len() as u64);
+    let mut rows = Vec::new();
+    let [bound, measured] = ["bound", "measured"];
+    say(&format!("{:8} {:NAME$} {bound:>11} {measured:>10}\n", "group", "case"))?;
+    for case in cases {
+        progress.begin(&case.full_name());
+        let outcome = case.run(&progress);
+        let row = |check| Row { group: case.group, case: case.name.clone(), check };
+        let new: Vec<_> = match outcome {
+            Ok(checks) => checks.into_iter().map(|check| row(Ok(check))).collect(),
+            Err(why) => vec![row(Err(why))],
+        };
+        let text: String = new.iter().map(line).collect();
+        progress.end(|| say(&text))?;
+        rows.extend(new);
+    }
+    progress.finish();
+    Ok(rows)
+}
+
+/// A row as it is printed; where a check fails, with the reason of its bound.
+fn line(row: &Row) -> String {
+    let (group, name, verdict) = (row.group, row.name(), row.verdict());
+    match &row.check {
+        Ok(check) => {
+            let Check { bound, measured, unit, why, .. } = check;
+            let why = if row.passes() { String::new() } else { format!("         bound: {why}\n") };
+            let (bound, measured) = (bound.to_string(), number(*measured));
+            format!("{group:8} {name:NAME$} {bound:>11} {measured:>10} {unit:7} {verdict}\n{why}")
+        }
+        Err(why) => format!("{group:8} {name:NAME$} {why} {verdict}\n"),
+    }
+}
+
+/// All rows as a CSV file. `why` is where a bound comes from, or why a case broke off.
+pub fn csv(rows: &[Row]) -> Vec<u8> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    // Records of one length, to memory: neither can fail.
+    let _ = writer.write_record(["group", "case", "bound", "measured", "unit", "verdict", "why"]);
+    for row in rows {
+        let (bound, measured, unit, why) = match &row.check {
+            Ok(Check { bound, measured, unit, why, .. }) => {
+                (digits(bound.value()), digits(*measured), *unit, *why)
+            }
+            Err(why) => (String::new(), String::new(), "", why.as_str()),
+        };
+        let name = row.name();
+        let _ =
+            writer.write_record([row.group, &name, &bound, &measured, unit, row.verdict(), why]);
+    }
+    writer.into_inner().unwrap_or_default()
+}
+
+/// With the digits that bring back its bits.
+fn digits(x: f64) -> String {
+    zmij::Buffer::new().format(x).to_owned()
+}

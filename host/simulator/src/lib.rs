@@ -1,0 +1,35 @@
+//! The simulator: a scene is flown through the core, and its drift compared with theory.
+//!
+//! It knows no command line, prints nothing and times nothing unless asked.
+//!
+//! | room | what it has |
+//! |---|---|
+//! | [`units`], [`number`], [`input`], [`output`], [`progress`] | units, numbers for people, files in and out |
+//! | [`scene`] | what flies, what the sensors get wrong, how it is navigated |
+//! | [`source`], [`emulator`] | truth, perfect increments, sensors |
+//! | [`navigator`], [`lanes`], [`ensemble`], [`twin`] | the core's navigators: one, many abreast, a target's copy |
+//! | [`plan`], [`timing`] | the window for a scene, and what a stage costs |
+//! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
+//! | [`theory`] | the drift that is expected |
+//! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
+
+pub mod emulator;
+pub mod ensemble;
+pub mod flight;
+pub mod high;
+pub mod input;
+pub mod lanes;
+pub mod navigator;
+pub mod number;
+pub mod output;
+pub mod plan;
+pub mod progress;
+pub mod recording;
+pub mod rest;
+pub mod scene;
+pub mod simulate;
+pub mod source;
+pub mod theory;
+pub mod timing;
+pub mod twin;
+pub mod units;

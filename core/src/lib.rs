@@ -31,6 +31,7 @@ pub mod math;
 pub mod navigators;
 #[cfg(feature = "sensor")]
 pub mod noise;
+pub mod output;
 pub mod prelude;
 pub mod readout;
 pub mod record;

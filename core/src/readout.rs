@@ -8,7 +8,7 @@ use crate::solution::{Euler, Solution};
 /// A [`Solution`] in the units that people read. Each number is rounded once to the digits of `R`.
 ///
 /// In `f32` a degree of longitude beyond 128° has steps of 1.5e-5°, 1.7 m. What is carried beyond that
-/// shows in `f64`: [`Output::wide`](crate::solution::Output::wide) and then `readout`.
+/// shows in `f64`: [`Output::wide`](crate::output::Output::wide) and then `readout`.
 ///
 /// ```
 /// use schuler::prelude::*;

@@ -20,7 +20,6 @@ use crate::math::compensated::{Pair, two_sum};
 use crate::math::quaternion::Quaternion;
 use crate::math::real::{Number, Real, Scalar};
 use crate::math::vector::Vector;
-use crate::readout::Readout;
 use crate::record::{Record, record};
 
 /// Attitude as three angles: C_nᵇ = Rx(roll)·Ry(pitch)·Rz(yaw), rad.
@@ -228,55 +227,4 @@ impl<R: Record> Record for Solution<R> {
 
 impl<R: Record> Record for EarthFixedSolution<R> {
     record!(position_e, velocity_e, attitude);
-}
-
-/// What a navigator puts out, in whatever axes: its conversions to local ones.
-///
-/// ```
-/// use schuler::prelude::*;
-///
-/// let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
-/// let start = Solution::new(Geodetic::default(), Vector::ZERO, level);
-/// let navigator = EarthFixedNavigator4::<f64>::from_rate_hz(100.0)?;
-/// let state = navigator.start(&start)?;
-/// let shown = state.output().readout();
-/// assert_eq!(shown.altitude_m, 0.0);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-pub trait Output<R: Real>: Copy {
-    /// To the digits of `R`.
-    fn solution(&self) -> Solution<R>;
-    /// In double precision, from all the digits carried.
-    fn wide(&self) -> Solution<f64>
-    where
-        R: Scalar;
-    /// As plain numbers in degrees, metres and m/s, to the digits of `R`.
-    fn readout(&self) -> Readout<R> {
-        Readout::from(&self.solution())
-    }
-}
-
-impl<R: Real> Output<R> for Solution<R> {
-    #[inline(always)]
-    fn solution(&self) -> Solution<R> {
-        *self
-    }
-    fn wide(&self) -> Solution<f64>
-    where
-        R: Scalar,
-    {
-        self.widen()
-    }
-}
-
-impl<R: Real> Output<R> for EarthFixedSolution<R> {
-    fn solution(&self) -> Solution<R> {
-        self.to_local()
-    }
-    fn wide(&self) -> Solution<f64>
-    where
-        R: Scalar,
-    {
-        self.widen().to_local()
-    }
 }

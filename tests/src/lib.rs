@@ -10,9 +10,9 @@ struct FrontPage;
 use schuler::drift::compare::drift;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
+use schuler::output::Output as _;
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::solution::Output as _;
 use schuler::solution::Solution;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler_simulator::scene::{

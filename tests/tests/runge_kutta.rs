@@ -3,7 +3,7 @@
 use schuler::drift::compare::drift;
 use schuler::imu;
 use schuler::math::vector::Vector;
-use schuler::solution::Output as _;
+use schuler::output::Output as _;
 use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::reference::rk4::RungeKutta;
 use schuler_tests::{Course, bits};

@@ -5,9 +5,10 @@ use super::catalogue::Entry;
 use super::flight::Flight;
 use crate::math::compensated::Pair;
 use crate::math::real::Scalar;
+use crate::output::Output as _;
 use crate::record::Record;
 use crate::sample::Increment;
-use crate::solution::{Output as _, Solution};
+use crate::solution::Solution;
 use crate::strapdown::limits::{Rejected, StartError};
 use crate::strapdown::mechanization::Mechanization;
 

@@ -143,10 +143,12 @@ macro_rules! fleet {
             use $crate::link::refusal::Refusal;
 
             impl $(<$($generic)+>)? Fleet for $name $(<$($argument)+>)? {
+                #[inline]
                 fn offers(offer: &mut impl FnMut(Configuration)) {
                     $(<$fleet as Fleet>::offers(offer);)+
                 }
 
+                #[inline]
                 fn start(start: &Start) -> Result<Self, Refusal> {
                     $(match <$fleet as Fleet>::start(start) {
                         Err(Refusal::Configuration) => {}
@@ -155,24 +157,28 @@ macro_rules! fleet {
                     Err(Refusal::Configuration)
                 }
 
+                #[inline]
                 fn take(&mut self, number: u32, increment: Bytes) -> Result<Taken, Refusal> {
                     match self {
                         $(Self::$variant(fleet) => Fleet::take(fleet, number, increment),)+
                     }
                 }
 
+                #[inline]
                 fn hold(&mut self, vertical: Bytes) -> Result<(), Refusal> {
                     match self {
                         $(Self::$variant(fleet) => Fleet::hold(fleet, vertical),)+
                     }
                 }
 
+                #[inline]
                 fn finish(&mut self, samples: u32) -> Result<Taken, Refusal> {
                     match self {
                         $(Self::$variant(fleet) => Fleet::finish(fleet, samples),)+
                     }
                 }
 
+                #[inline]
                 fn taken(&self) -> u32 {
                     match self {
                         $(Self::$variant(fleet) => Fleet::taken(fleet),)+
@@ -185,30 +191,35 @@ macro_rules! fleet {
                     }
                 }
 
+                #[inline]
                 fn write(&self, to: &mut Writer) {
                     match self {
                         $(Self::$variant(fleet) => Fleet::write(fleet, to),)+
                     }
                 }
 
+                #[inline]
                 fn words(&self, read: &mut dyn FnMut(u64)) {
                     match self {
                         $(Self::$variant(fleet) => Fleet::words(fleet, read),)+
                     }
                 }
 
+                #[inline]
                 fn restore(&mut self, write: &mut dyn FnMut(u64) -> u64) {
                     match self {
                         $(Self::$variant(fleet) => Fleet::restore(fleet, write),)+
                     }
                 }
 
+                #[inline]
                 fn check(&self) -> Result<(), Refusal> {
                     match self {
                         $(Self::$variant(fleet) => Fleet::check(fleet),)+
                     }
                 }
 
+                #[inline]
                 fn visit<V: Visitor>(&mut self, visitor: V) -> V::Result {
                     match self {
                         $(Self::$variant(fleet) => Fleet::visit(fleet, visitor),)+

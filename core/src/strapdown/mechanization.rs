@@ -21,9 +21,9 @@
 
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
+use crate::output::Output;
 use crate::readout::Readout;
 use crate::sample::Increment;
-use crate::solution::Output;
 use crate::solution::Solution;
 use crate::strapdown::block::newton::Edges;
 use crate::strapdown::correction::{Correction, CorrectionError};

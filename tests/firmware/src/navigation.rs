@@ -11,7 +11,7 @@ use schuler::sample::Increment;
 use schuler::flight::carried::Carried;
 use schuler::solution::Solution;
 use schuler::strapdown::frame::Frame;
-use schuler::solution::Output as _;
+use schuler::output::Output as _;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;

@@ -1,4 +1,4 @@
-//! The paper's flight and sensors: `host/scenes/paper.toml`.
+//! The paper's flight and sensors: `host/simulator/scenes/paper.toml`.
 
 use crate::channel::{channel, harmonic};
 use crate::units::{DEGREE, DEGREE_PER_HOUR, DEGREE_PER_ROOT_HOUR, METRE, MICRO_G};

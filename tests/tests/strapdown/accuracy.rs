@@ -3,7 +3,7 @@
 use schuler::flight::carried::Carried;
 use schuler::math::compensated::{Accumulate, Pair, Plain, TwoFloat};
 use schuler::math::real::Scalar;
-use schuler::solution::Output as _;
+use schuler::output::Output as _;
 use schuler::solution::Solution;
 use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A0, Window};
 use schuler::strapdown::frame::Frame;

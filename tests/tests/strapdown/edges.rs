@@ -1,8 +1,8 @@
 //! Blocks at an edge: as long a window as the samples support, and no longer.
 
 use schuler::math::compensated::Pair;
+use schuler::output::Output as _;
 use schuler::sample::Increment;
-use schuler::solution::Output as _;
 use schuler::strapdown::block::newton::at_edge;
 use schuler::strapdown::block::shape::WindowShape;
 use schuler::strapdown::block::support::Differences;

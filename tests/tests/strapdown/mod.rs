@@ -15,6 +15,7 @@ mod body;
 mod cones;
 mod coning;
 mod corrected;
+mod corrected_flights;
 mod edges;
 mod fit;
 mod gravitation;

@@ -2,9 +2,9 @@
 
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
+use schuler::output::Output as _;
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::solution::Output as _;
 use schuler::solution::Solution;
 use schuler::strapdown::block::window::{H0B4A0, H2B4A2};
 use schuler::strapdown::frame::earth_fixed::EarthFixed;

@@ -3,9 +3,9 @@
 use schuler::flight::carried::Carried;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
+use schuler::output::Output as _;
 use schuler::record::Record;
 use schuler::sample::Increment;
-use schuler::solution::Output as _;
 use schuler::solution::Solution;
 use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A4, Line8, Parabola40};
 use schuler::strapdown::frame::earth_fixed::EarthFixed;

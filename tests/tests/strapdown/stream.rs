@@ -1,8 +1,8 @@
 //! Streams: a row for every sample, whatever the window, the length and the way of reading.
 
 use schuler::math::compensated::Pair;
+use schuler::output::Output as _;
 use schuler::record::Record;
-use schuler::solution::Output as _;
 use schuler::strapdown::block::window::Window;
 use schuler::strapdown::frame::Frame;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;

@@ -13,7 +13,8 @@
 //! ```
 //! use schuler::earth::Geodetic;
 //! use schuler::math::{compensated::Pair, vector::Vector};
-//! use schuler::solution::{Euler, Output, Solution};
+//! use schuler::output::Output;
+//! use schuler::solution::{Euler, Solution};
 //! use schuler::strapdown::frame::{Frame, earth_fixed::EarthFixed, local_level::LocalLevel};
 //!
 //! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
@@ -35,7 +36,7 @@ pub mod meridian;
 mod two_float;
 
 use crate::math::real::Real;
-use crate::solution::Output;
+use crate::output::Output;
 use crate::solution::Solution;
 use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::correction::Correction;

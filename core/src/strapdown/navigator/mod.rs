@@ -5,6 +5,7 @@
 //!
 //! | file | what it has |
 //! |---|---|
+//! | `take` | samples in; when a block is integrated |
 //! | `crossing` | the step over a block, and the rows within it |
 //! | `edges` | the first and the last blocks of a stream |
 //! | `unequal` | blocks of samples of unequal intervals |
@@ -43,6 +44,7 @@ mod edges;
 mod mechanization;
 mod rows;
 mod stored;
+mod take;
 mod unequal;
 
 use crate::math::compensated::Pair;
@@ -56,9 +58,8 @@ use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::block_time::BlockTime;
 use crate::strapdown::gate::{Gate, admit_start, interval_of};
-use crate::strapdown::limits::Limits;
-use crate::strapdown::limits::{Rejected, StartError};
-use crate::strapdown::navigator::rows::{Blocks, Every, Read, Unread};
+use crate::strapdown::limits::{Limits, Rejected, StartError};
+use crate::strapdown::navigator::rows::{Blocks, Every, Unread};
 use core::marker::PhantomData;
 
 /// Configuration of a strapdown navigator in frame `F` with window `W`.
@@ -244,124 +245,5 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let mut ahead = *state;
         self.finish(&mut ahead);
         ahead.output()
-    }
-
-    #[inline(always)]
-    fn take(
-        &self,
-        state: &mut State<F, W>,
-        sample: Increment<R>,
-        excess: R,
-        read: &mut impl Read<F>,
-    ) -> Result<(), Rejected> {
-        if W::UNEQUAL {
-            self.take_any(state, sample, excess, read)
-        } else {
-            self.take_by(state, sample, excess, read)
-        }
-    }
-
-    /// One copy of the code for all readers.
-    #[inline(never)]
-    fn take_any(
-        &self,
-        state: &mut State<F, W>,
-        sample: Increment<R>,
-        excess: R,
-        read: &mut dyn Read<F>,
-    ) -> Result<(), Rejected> {
-        self.take_by(state, sample, excess, read)
-    }
-
-    fn end(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
-        if W::UNEQUAL {
-            self.last_blocks::<dyn Read<F>>(state, read);
-        } else {
-            self.last_blocks(state, read);
-        }
-    }
-
-    #[inline(always)]
-    fn take_by<Q: Read<F> + ?Sized>(
-        &self,
-        state: &mut State<F, W>,
-        sample: Increment<R>,
-        excess: R,
-        read: &mut Q,
-    ) -> Result<(), Rejected> {
-        // If a block ended at a place where navigation cannot continue, every following sample is refused.
-        if state.pending <= W::LOOKAHEAD {
-            state.frame.check_place()?;
-        }
-        self.store(state, sample, excess);
-        let past = state.filled - state.pending;
-        if past < W::HISTORY {
-            if state.filled < W::FIRST {
-                return Ok(());
-            }
-            self.edge_block(state, past, W::BLOCK, W::FIRST, read);
-        }
-        while state.pending >= W::BLOCK + W::LOOKAHEAD {
-            if W::UNEQUAL {
-                self.any_block(state, read);
-            } else {
-                self.whole_block(state, read);
-            }
-        }
-        Ok(())
-    }
-
-    /// Stores a sample, dropping the oldest ones a block at a time.
-    #[inline(always)]
-    #[expect(
-        clippy::indexing_slicing,
-        reason = "the loop ends at the length, and a copy in one call takes longer"
-    )]
-    fn store(&self, state: &mut State<F, W>, sample: Increment<R>, excess: R) {
-        let samples = state.samples.as_mut();
-        let kept = state.intervals.excess_mut();
-        if state.filled >= samples.len() {
-            // After an early `finish`, more than a block's length may still be pending.
-            let drop = W::BLOCK.min(state.filled - state.pending);
-            for from in drop..samples.len() {
-                samples[from - drop] = samples[from];
-            }
-            if drop <= kept.len() {
-                kept.copy_within(drop.., 0);
-            }
-            state.filled = samples.len() - drop;
-        }
-        if let Some(slot) = samples.get_mut(state.filled) {
-            *slot = sample;
-            if let Some(slot) = kept.get_mut(state.filled) {
-                *slot = excess;
-            }
-            state.filled += 1;
-            state.pending += 1;
-        }
-    }
-
-    #[inline(always)]
-    fn whole_block<Q: Read<F> + ?Sized>(&self, state: &mut State<F, W>, read: &mut Q) {
-        let end = state.filled - state.pending + W::BLOCK + W::LOOKAHEAD;
-        let seen = state.samples.as_ref().get(..end).unwrap_or(&[]);
-        let begin = self.begin(state, end);
-        if W::LOOKAHEAD == 0 && W::HISTORY > 0 {
-            if let Some((body, series, used)) =
-                W::integrate_behind::<R>(seen, self.block.half, self.order, F::TWO_FLOAT)
-            {
-                state.edges.last = used;
-                self.step::<false, _>(state, (&self.block, &[]), W::BLOCK, &body, &series, read);
-            } else {
-                self.edge_block(state, W::HISTORY, W::BLOCK, W::SAMPLES, read);
-            }
-        } else if let Some((body, series)) = W::integrate::<R>(
-            seen.get(begin..).unwrap_or(&[]),
-            self.block.half,
-            self.order,
-            F::TWO_FLOAT,
-        ) {
-            self.step::<false, _>(state, (&self.block, &[]), W::BLOCK, &body, &series, read);
-        }
     }
 }

@@ -1,8 +1,8 @@
 //! Runge-Kutta on rates, flown like the navigators on increments.
 
 use schuler::math::real::Scalar;
+use schuler::output::Output as _;
 use schuler::sample::Rates;
-use schuler::solution::Output as _;
 use schuler::solution::Solution;
 use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::reference::rk4::{RungeKutta, RungeKuttaState, STEP_SAMPLES};

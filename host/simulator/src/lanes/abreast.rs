@@ -10,6 +10,7 @@ use schuler::math::compensated::Pair;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
+use schuler::strapdown::block::unequal::Unequal;
 use schuler::strapdown::block::window::Window;
 use schuler::strapdown::frame::Frame;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;
@@ -40,11 +41,12 @@ impl<P: Lanes<N>, const N: usize> Packed<N> for EarthFixed<Pair<P>> {
 #[derive(Clone, Copy)]
 pub struct Abreast<F: Packed<N>, W: Window, const N: usize> {
     lanes: Strapdown<F, W>,
-    one: Strapdown<F::Alone, W>,
+    /// The host's own navigator of one run: the same bits, and compiled already.
+    one: Strapdown<F::Alone, Unequal<W>>,
     /// Where the runs stand while `joined` holds.
     together: State<F, W>,
     /// Where they stand while it does not.
-    apart: [State<F::Alone, W>; N],
+    apart: [State<F::Alone, Unequal<W>>; N],
     joined: bool,
 }
 
@@ -162,7 +164,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
     }
 
     /// Every run's state.
-    fn states(&self) -> [State<F::Alone, W>; N] {
+    fn states(&self) -> [State<F::Alone, Unequal<W>>; N] {
         let mut states = self.apart;
         if self.joined {
             split(&self.together, &mut states);
@@ -237,6 +239,10 @@ impl Turns {
     }
 }
 
+/// What a state with room for samples of any length keeps, and lanes do not: every sample lasts the nominal
+/// interval.
+const KEPT: [&str; 3] = ["interval_excess", "interval_rest", "history_time"];
+
 /// States of single runs into lanes.
 fn join<const N: usize>(together: &mut impl Record, apart: &[impl Record; N]) {
     let mut runs = apart.each_ref().map(|state| words(state).into_iter());
@@ -256,13 +262,19 @@ fn split<const N: usize>(together: &impl Record, apart: &mut [impl Record; N]) {
     });
     for (state, words) in apart.iter_mut().zip(runs) {
         let mut words = words.into_iter();
-        state.restore("", &mut |_, word| words.next().unwrap_or(word));
+        state.restore("", &mut |name, word| {
+            if KEPT.contains(&name) { word } else { words.next().unwrap_or(word) }
+        });
     }
 }
 
-/// Every field of a state.
+/// Every field of a state that lanes have, too.
 fn words(state: &impl Record) -> Vec<u64> {
     let mut words = Vec::new();
-    state.record("", &mut |_, word| words.push(word));
+    state.record("", &mut |name, word| {
+        if !KEPT.contains(&name) {
+            words.push(word);
+        }
+    });
     words
 }

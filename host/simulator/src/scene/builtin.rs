@@ -1,4 +1,4 @@
-//! Scenes that come with the program, one TOML file each in `host/scenes`.
+//! Scenes that come with the program, one TOML file each in `host/simulator/scenes`.
 
 use super::{Scene, parse};
 

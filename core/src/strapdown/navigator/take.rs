@@ -18,51 +18,38 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         excess: R,
         read: &mut impl Read<F>,
     ) -> Result<(), Rejected> {
-        if W::UNEQUAL {
-            self.take_any(state, sample, excess, read)
-        } else {
-            self.take_by(state, sample, excess, read)
-        }
-    }
-
-    /// One copy of the code for all readers.
-    #[inline(never)]
-    fn take_any(
-        &self,
-        state: &mut State<F, W>,
-        sample: Increment<R>,
-        excess: R,
-        read: &mut dyn Read<F>,
-    ) -> Result<(), Rejected> {
-        self.take_by(state, sample, excess, read)
-    }
-
-    pub(super) fn end(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
-        if W::UNEQUAL {
-            self.last_blocks::<dyn Read<F>>(state, read);
-        } else {
-            self.last_blocks(state, read);
-        }
-    }
-
-    #[inline(always)]
-    fn take_by<Q: Read<F> + ?Sized>(
-        &self,
-        state: &mut State<F, W>,
-        sample: Increment<R>,
-        excess: R,
-        read: &mut Q,
-    ) -> Result<(), Rejected> {
         // If a block ended at a place where navigation cannot continue, every following sample is refused.
         if state.pending <= W::LOOKAHEAD {
             state.frame.check_place()?;
         }
         self.store(state, sample, excess);
         let past = state.filled - state.pending;
+        if past < W::HISTORY && state.filled < W::FIRST {
+            return Ok(());
+        }
+        if !W::UNEQUAL {
+            self.integrate_by(state, past, read);
+        } else if past < W::HISTORY || state.pending >= W::BLOCK + W::LOOKAHEAD {
+            self.integrate_any(state, past, read);
+        }
+        Ok(())
+    }
+
+    /// One copy of the code for all readers.
+    #[inline(never)]
+    fn integrate_any(&self, state: &mut State<F, W>, past: usize, read: &mut dyn Read<F>) {
+        self.integrate_by(state, past, read);
+    }
+
+    /// Integrates the blocks that are complete; the first one needs no history.
+    #[inline(always)]
+    fn integrate_by<Q: Read<F> + ?Sized>(
+        &self,
+        state: &mut State<F, W>,
+        past: usize,
+        read: &mut Q,
+    ) {
         if past < W::HISTORY {
-            if state.filled < W::FIRST {
-                return Ok(());
-            }
             self.edge_block(state, past, W::BLOCK, W::FIRST, read);
         }
         while state.pending >= W::BLOCK + W::LOOKAHEAD {
@@ -72,7 +59,14 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
                 self.whole_block(state, read);
             }
         }
-        Ok(())
+    }
+
+    pub(super) fn end(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
+        if W::UNEQUAL {
+            self.last_blocks::<dyn Read<F>>(state, read);
+        } else {
+            self.last_blocks(state, read);
+        }
     }
 
     /// Stores a sample, dropping the oldest ones a block at a time.

@@ -41,7 +41,7 @@ use crate::strapdown::correction::{Correction, CorrectionError};
 use crate::strapdown::gate::{Gate, admit_held, admit_start, interval_of};
 use crate::strapdown::limits::{Limits, Rejected, StartError};
 use crate::strapdown::mechanization::{Mechanization, UnequalIntervals};
-use crate::strapdown::plausible::{Damaged, MOST_COUNTED, Plausible};
+use crate::strapdown::plausible::{Damaged, MOST_COUNTED};
 use body::Compensated;
 use core::marker::PhantomData;
 

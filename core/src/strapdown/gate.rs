@@ -102,7 +102,7 @@ impl<R: Real> Gate<R> {
 }
 
 /// Whether the processor computes with subnormal numbers, as IEEE 754 requires.
-#[inline(never)]
+#[inline]
 pub fn subnormals_survive<R: Real>() -> bool {
     // Half of the smallest normal number, and twice that again: both exact.
     let normal = black_box(R::entry(f32::MIN_POSITIVE, f64::MIN_POSITIVE));

@@ -44,9 +44,9 @@ plant() {
 
 mkdir -p "$scratch/tests"
 cp -r Cargo.toml README.md core "$scratch"
-cp -r tests/audit "$scratch/tests"
+cp -r tests/audit tests/scenes "$scratch/tests"
 # The copy is the core and the program alone.
-sed -i 's/^members = .*/members = ["core"]/; /^default-members = /d' "$scratch/Cargo.toml"
+sed -i 's#^members = .*#members = ["core", "tests/scenes"]#; /^default-members = /d' "$scratch/Cargo.toml"
 
 fly "$scratch/good"
 
@@ -72,3 +72,13 @@ plant body strapdown/block/body.rs 'let motion = BodyMotion {' \
 plant nav strapdown/frame/local_level.rs '// Into the axes at the end: v ← q* v, q_b ← q* ⊗ q_b ⊗ q_bb' \
     'self.gravity_excess = self.gravity_excess + self.gravity_excess * R::of(8.8e-8);' \
     "$navigator, sample 4, stage nav, field gravity_excess"
+
+# A line more in the table of windows is a navigator more in every precision and axes.
+windows=core/src/strapdown/block/window.rs
+awk '/^    H4B4A4 = / { print "    H1B4A1 = 1, 4, 1, through 6, 14, audited;"; print "    /// After the planted one." } { print }' \
+    "$windows" >"$scratch/$windows"
+(cd "$scratch/tests/audit" && CARGO_TARGET_DIR="$builds" cargo build --quiet --locked --features std)
+cp "$windows" "$scratch/$windows"
+found=$("$builds/debug/audit" | sed -n 's|^paper/\([a-z0-9-]*\)-taylor-1-4-1 nav =.*|\1|p' | sort)
+[ "$(wc -w <<<"$found")" = 6 ] || fail "a planted window is found in: $found"
+echo "a window planted in one line is flown by:" $found

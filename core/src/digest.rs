@@ -87,6 +87,7 @@ struct Adding {
 }
 
 impl Adding {
+    #[expect(clippy::indexing_slicing, reason = "below 4, the number of lanes")]
     #[inline(always)]
     fn word(&mut self, bits: u64) {
         let lanes = &mut self.digest.lanes;

@@ -12,10 +12,12 @@
 //! | `theory`, `theory_…`, `ensemble` | what theory expects, and how runs scatter |
 //! | `lanes` | runs abreast |
 //! | `link` | frames, and the application at their end |
+//! | `catalogue`, `scenes` | navigators by name; the scene that stands in source and in TOML |
 //! | `release` | licences and version |
 //! | `matrix` | what the matrix of targets refuses |
 //! | `figures`, `speed` | the README's figures, and what the benchmarks fly |
 
+mod catalogue;
 mod drift;
 mod ensemble;
 mod error_dynamics;
@@ -28,6 +30,7 @@ mod matrix;
 mod plan;
 mod release;
 mod runge_kutta;
+mod scenes;
 mod sensor_allan;
 mod sensor_emulator;
 mod sensor_gauss_markov;

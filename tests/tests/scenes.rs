@@ -5,9 +5,9 @@ use schuler::sensor::emulator::Emulator;
 use schuler::sensor::triad::Triad;
 use schuler::trajectory::Trajectory as _;
 use schuler::trajectory::harmonic::HarmonicTrajectory;
+use schuler_scenes::paper;
 use schuler_simulator::emulator;
 use schuler_simulator::scene::builtin;
-use schuler_scenes::paper;
 
 #[test]
 fn the_paper_in_source_is_the_papers_file() {

@@ -139,10 +139,12 @@ pub trait Catalogue {
 
 /// Every navigator: what a host flies.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Every;
 
 /// Those that audits record step by step, and golden chains hold.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Audited;
 
 /// Names a mechanization, or visits it if it is the one that is asked for.

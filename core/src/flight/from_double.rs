@@ -15,6 +15,7 @@ use crate::strapdown::mechanization::Mechanization;
 /// A mechanization in flight: samples and initial solution come in double precision and are narrowed so
 /// that no rounding is lost.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FromDouble<M: Mechanization> {
     /// What flies.
     pub flight: Flight<M>,

@@ -235,6 +235,7 @@ macro_rules! in_frame {
     ($($window:ident),+) => {
         fleet! {
             /// A frame with the windows that targets have.
+            #[cfg_attr(feature = "defmt", derive(defmt::Format))]
             pub InFrame [F: Flown] of [F] {
                 $($window: LinkedFlight<Strapdown<F, $window>>,)+
             }
@@ -260,6 +261,7 @@ macro_rules! every {
        [$($of:ident: $textbook:ty)?];)+) => {
         fleet! {
             /// Single and double precision, both axes.
+            #[cfg_attr(feature = "defmt", derive(defmt::Format))]
             pub Every {
                 $($name: InFrame<$frame>, $($of: LinkedFlight<Textbook<$textbook>>,)?)+
             }
@@ -271,6 +273,7 @@ every_frame! { every! }
 fleet! {
     /// Single precision, local-level, with and without two-float products: no double-precision operation.
     /// (In Earth-fixed axes the vertical channel is held by libm's `sinf`, which has some.)
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     pub Single {
         LocalLevel: InFrame<LocalLevel<Pair<f32>>>,
         TwoFloat: InFrame<LocalLevel<TwoFloat<f32>>>,

@@ -20,6 +20,7 @@ const MOST_WAITING: u64 = 64;
 
 /// A flight with what the link needs beside it.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinkedFlight<M: Entry> {
     flight: Flight<M>,
     bridge: Bridge<M::Real>,

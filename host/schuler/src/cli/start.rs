@@ -15,7 +15,7 @@ pub(super) fn check(scene: &Scene, name: &str, frame: Option<Axes>) -> Result<()
     let Ok(course) = scene.trajectory.build() else { return Ok(()) };
     let initial = simulate::offset(&course.at(0.0).initial(), scene);
     let interval_s = Pair::new(scene.rate_hz).reciprocal();
-    let (shape, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
+    let (shape, order) = (plan::UNKNOWN, plan::HIGHEST_ORDER);
     let auto = Navigator { window: None, ..scene.navigator };
     navigator::start(&auto, shape, order, interval_s, &initial).map(drop).map_err(|unavailable| {
         let complaint = unavailable.complaint();

@@ -56,5 +56,5 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
 /// The window to fly: what is asked for, else what the samples support.
 fn shape(options: &Navigator, survey: &Survey) -> WindowShape {
     let supported = survey.window.unwrap_or(plan::UNKNOWN);
-    options.window.unwrap_or_else(|| supported.into())
+    options.window.unwrap_or(supported)
 }

@@ -5,7 +5,7 @@ use super::flown::{fly, fly_forced, scene};
 use super::split_mix::word;
 use schuler::strapdown::block::window::NAMED;
 use schuler_simulator::progress::CaseProgress;
-use schuler_simulator::scene::{Scene, WindowShape};
+use schuler_simulator::scene::Scene;
 
 const GROUP: &str = "plan";
 /// A plan may be so many times worse than the best named window, or err by this much, m.
@@ -91,7 +91,7 @@ pub fn text(seed: u64, most_samples: f64) -> String {
 fn excess(scene: &Scene, progress: &CaseProgress) -> Result<[f64; 2], String> {
     let best_m = NAMED.iter().fold(f64::INFINITY, |best, &shape| {
         let mut other = scene.clone();
-        other.navigator.window = Some(WindowShape::from(shape));
+        other.navigator.window = Some(shape);
         // Blocks that turn too far are refused.
         fly(&other, progress).map_or(best, |flown| best.min(flown.position_m))
     });

@@ -44,7 +44,7 @@ pub(super) fn start(
     frame: Axes,
     initial: &Solution<f64>,
 ) -> Result<Box<dyn Navigate>, Unavailable> {
-    let (window, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
+    let (window, order) = (plan::UNKNOWN, plan::HIGHEST_ORDER);
     navigator::start(&navigator(frame), window, order, Pair::new(100.0).reciprocal(), initial)
 }
 

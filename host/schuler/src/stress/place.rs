@@ -95,7 +95,7 @@ fn refuses(sign: f64) -> Outcome {
     let source = Source::new(&start, false).map_err(|error| error.to_string())?;
     let initial = source.motion(0).initial();
     let interval_s = Pair::new(start.rate_hz).reciprocal();
-    let (window, order) = (plan::UNKNOWN.into(), plan::HIGHEST_ORDER);
+    let (window, order) = (plan::UNKNOWN, plan::HIGHEST_ORDER);
     let started = navigator::start(&start.navigator, window, order, interval_s, &initial);
     let at_the_start = matches!(started, Err(Unavailable::Start(StartError::Pole)));
     let wrong = u64::from(!on_the_way) + u64::from(!at_the_start);

@@ -22,6 +22,9 @@ use schuler::sensor::triad::Triad;
 use schuler::sensor::turn_on::TurnOn;
 use schuler::sensor::white::White;
 
+/// Sets a term of a triad to its values in SI units.
+pub type Build = fn(&mut Triad<f64>, Vector<f64>, Timing<f64>) -> Result<(), ParameterError>;
+
 /// An error term of a triad of gyros, of accelerometers, or of both.
 pub struct Term {
     /// What people call it.
@@ -37,7 +40,7 @@ pub struct Term {
     /// The same, to be set.
     pub values_mut: fn(&mut SensorErrors) -> &mut Option<[f64; 3]>,
     /// Gives it to the core's sensors.
-    pub build: fn(&mut Triad<f64>, Vector<f64>, Timing<f64>) -> Result<(), ParameterError>,
+    pub build: Build,
     /// What linear theory makes of it.
     pub source: Source,
 }

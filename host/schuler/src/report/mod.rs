@@ -1,8 +1,7 @@
 //! The output of a finished run: the drift table, `summary.json`, `drift.csv`, `drift.png`
 //! and `report.html`.
 //!
-//! [`drift_charts`] and [`motion_charts`] say what is drawn; [`chart`] draws it on a [`canvas`],
-//! which is an [`svg`] or a [`raster`] image.
+//! [`drift_charts`] and [`motion_charts`] say what is drawn; the crate `schuler_report` draws it.
 
 pub mod drift_charts;
 pub mod drift_csv;

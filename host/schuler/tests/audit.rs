@@ -13,7 +13,7 @@ fn golden_folder() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden"))
 }
 
-fn schuler(arguments: &[&str]) -> Output {
+pub fn schuler(arguments: &[&str]) -> Output {
     let program = env!("CARGO_BIN_EXE_schuler");
     Command::new(program).arg("audit").args(arguments).output().unwrap()
 }
@@ -171,7 +171,7 @@ fn a_sample_is_looked_at_once_at_its_own_time() {
 }
 
 /// A golden chain of a scene, by itself in a folder.
-fn alone(scene: &str, stem: &str, text: impl Fn(&str) -> String) -> tempfile::TempDir {
+pub fn alone(scene: &str, stem: &str, text: impl Fn(&str) -> String) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let file = format!("{stem}.chain");
     let golden = std::fs::read_to_string(golden_folder().join(scene).join(&file)).unwrap();
@@ -283,32 +283,4 @@ fn a_port_is_compared_in_what_it_has() {
     assert_eq!(output.status.code(), Some(1));
     let place = "sample 64, stage nav, field velocity east.lo: 1 ulp";
     assert!(printed(&output).contains(place), "{}", printed(&output));
-}
-
-#[test]
-fn bad_input_is_named() {
-    let folder = tempfile::tempdir().unwrap();
-    let empty = folder.path().to_str().unwrap();
-    let noise = alone("paper", "noise", str::to_owned);
-    let increments = alone("paper", "increments", str::to_owned);
-    let (noise, increments) = (noise.path().to_str().unwrap(), increments.path().to_str().unwrap());
-    let file = format!("{noise}/noise.chain");
-    for (arguments, words) in [
-        (vec!["compare", noise, &file], "is a folder, unlike the other; accepted: two chains"),
-        (vec!["compare", &file, noise], "is a folder, unlike the other; accepted: two chains"),
-        (
-            vec!["compare", noise, increments],
-            "lacks the chain noise; accepted: a folder with the chains of the other, or a single chain",
-        ),
-        (vec!["verify", empty], "holds no chain"),
-        (vec!["verify", "/nowhere"], "cannot be read"),
-        (vec!["record", "paper", "--out", empty, "--configuration", "f16"], "there is no f16"),
-        (vec!["sensitivity", "hard", "--after", "61"], "no sample at 61 s"),
-        (vec!["record", "papper", "--out", empty], "did you mean"),
-    ] {
-        let output = schuler(&arguments);
-        let error = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{error}");
-        assert!(error.contains(words), "{error}");
-    }
 }

@@ -23,6 +23,7 @@ pub(crate) use local_level::local_level;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::strapdown::limits::Rejected;
+use crate::strapdown::plausible::Plausible;
 
 /// The corrected state less the present one, in north, east and down.
 ///
@@ -75,7 +76,7 @@ impl<R: Real> Correction<R> {
         Self { position_ned: Vector::ZERO, velocity_ned: Vector::ZERO, attitude_ned: Vector::ZERO };
 
     /// Whether there is nothing to correct.
-    pub(crate) fn is_zero(&self) -> bool {
+    fn is_zero(&self) -> bool {
         !self.moves() && self.attitude_ned.is_within(R::ZERO)
     }
 
@@ -85,11 +86,31 @@ impl<R: Real> Correction<R> {
     }
 
     /// Whether it is finite and not too large.
-    pub(crate) fn admit(&self) -> Result<(), CorrectionError> {
+    fn admit(&self) -> Result<(), CorrectionError> {
         let admitted = self.position_ned.norm().is_within(R::of(MOST_POSITION))
             & self.velocity_ned.norm().is_within(R::of(MOST_VELOCITY))
             & self.attitude_ned.norm().is_within(R::of(core::f64::consts::PI));
         if admitted { Ok(()) } else { Err(CorrectionError::Size) }
+    }
+
+    /// Corrects the navigation of a state by a function, if both the correction and what comes out can be:
+    /// else it stays as it was, and so it does with nothing to correct.
+    pub(crate) fn apply<F: Copy + Plausible>(
+        &self,
+        frame: &mut F,
+        correct: impl FnOnce(&mut F, &Self) -> Result<(), Rejected>,
+    ) -> Result<(), CorrectionError> {
+        self.admit()?;
+        if self.is_zero() {
+            return Ok(());
+        }
+        let mut corrected = *frame;
+        correct(&mut corrected, self)?;
+        if !corrected.is_plausible() {
+            return Err(CorrectionError::State);
+        }
+        *frame = corrected;
+        Ok(())
     }
 }
 

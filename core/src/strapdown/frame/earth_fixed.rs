@@ -11,13 +11,13 @@
 //! use schuler::strapdown::frame::{Frame, earth_fixed::EarthFixed};
 //!
 //! let at = Geodetic { latitude: 0.8_f64, longitude: 0.1, altitude: 100.0 };
-//! let initial = Solution::new(at, Vector::ZERO, Euler::default());
-//! let frame = EarthFixed::<Pair<f64>>::start(&initial);
+//! let frame = EarthFixed::<Pair<f64>>::start(&Solution::new(at, Vector::ZERO, Euler::default()));
 //! assert!(frame.check_place().is_ok());
 //! ```
 
 mod correct;
 mod plausible;
+mod stored;
 mod two_float;
 
 pub(crate) use two_float::root;
@@ -30,7 +30,6 @@ use crate::math::compensated::{Accumulate, Pair, two_product, two_sum};
 use crate::math::quaternion::{Matrix, Quaternion};
 use crate::math::real::Real;
 use crate::math::vector::Vector;
-use crate::record::{Record, record};
 use crate::solution::{EarthFixedSolution, Solution};
 use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::correction::Correction;
@@ -291,11 +290,4 @@ fn solution<R: Real, S: Accumulate<Real = R>>(
     let velocity_e =
         Vector::new(plus_turning(v.x, position_e.y), plus_turning(v.y, -position_e.x), v.z);
     EarthFixedSolution { position_e, velocity_e, attitude: attitude.map(S::pair) }
-}
-
-impl<S: Accumulate + Record> Record for EarthFixed<S>
-where
-    S::Real: Record,
-{
-    record!(position, velocity, attitude, gravitation, gravitation_low, history, latitude);
 }

@@ -7,6 +7,7 @@
 mod correct;
 mod plausible;
 mod seed;
+mod stored;
 mod within;
 
 pub use within::LocalLevelStep;
@@ -21,7 +22,6 @@ use crate::math::compensated::{Accumulate, Pair, two_sum};
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
-use crate::record::{Record, record};
 use crate::solution::Solution;
 use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::correction::Correction;
@@ -282,22 +282,4 @@ fn solution<R: Real, S: Accumulate<Real = R>>(
         velocity_ned: velocity.map(S::pair),
         attitude: attitude.map(S::pair),
     }
-}
-
-impl<S: Accumulate + Record> Record for LocalLevel<S>
-where
-    S::Real: Record,
-{
-    record!(
-        position,
-        sine,
-        cosine,
-        velocity,
-        attitude,
-        curvature,
-        gravity_excess,
-        gravity_excess_low,
-        longitude_rest,
-        history
-    );
 }

@@ -20,16 +20,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         state: &mut State<F, W>,
         correction: &Correction<R>,
     ) -> Result<(), CorrectionError> {
-        correction.admit()?;
-        if correction.is_zero() {
-            return Ok(());
-        }
-        let mut frame = state.frame;
-        frame.correct(correction)?;
-        if !frame.is_plausible() {
-            return Err(CorrectionError::State);
-        }
-        state.frame = frame;
+        correction.apply(&mut state.frame, F::correct)?;
         if correction.moves() {
             // The gravity history is that of another way here: the next block sets it up anew.
             state.seeded = 0;

@@ -256,17 +256,7 @@ impl<F: TextbookFrame> Mechanization for Textbook<F> {
         state: &mut TextbookState<F>,
         correction: &Correction<F::Real>,
     ) -> Result<(), CorrectionError> {
-        correction.admit()?;
-        if correction.is_zero() {
-            return Ok(());
-        }
-        let mut frame = state.frame;
-        frame.correct(correction)?;
-        if !frame.is_plausible() {
-            return Err(CorrectionError::State);
-        }
-        state.frame = frame;
-        Ok(())
+        correction.apply(&mut state.frame, F::correct)
     }
 
     fn check(&self, state: &TextbookState<F>) -> Result<(), Damaged> {

@@ -33,52 +33,7 @@ use crate::trajectory::{Motion, Trajectory};
 /// Angular rate and specific force of a motion.
 #[inline]
 pub fn rates<R: Real>(motion: &Motion<R>) -> Rates<R> {
-    let Motion { roll, pitch, yaw, latitude, longitude, altitude } = *motion;
-    let (s, c) = latitude.value.sin_cos();
-    let radii = Radii::at(s, c);
-    let north_radius = radii.meridian + altitude.value;
-    let east_radius = radii.prime_vertical + altitude.value;
-    // v_N = (R_M + h)φ̇,  v_E = (R_N + h)cosφ·λ̇,  v_D = −ḣ
-    let v = Vector::new(
-        north_radius * latitude.first,
-        east_radius * c * longitude.first,
-        -altitude.first,
-    );
-    // v̇ⁿ, by the product rule
-    let north_growth = radii.meridian_slope * latitude.first + altitude.first;
-    let east_growth = radii.prime_vertical_slope * latitude.first + altitude.first;
-    let acceleration = Vector::new(
-        north_growth * latitude.first + north_radius * latitude.second,
-        (east_growth * c - east_radius * s * latitude.first) * longitude.first
-            + east_radius * c * longitude.second,
-        -altitude.second,
-    );
-    let earth_rate = earth::rotation_ned(s, c);
-    let transport_rate = motion.transport_rate(s, c);
-    // fⁿ = v̇ⁿ + (2ω_ieⁿ + ω_enⁿ) × vⁿ − gⁿ
-    let coriolis = (earth_rate + earth_rate + transport_rate).cross(v);
-    let mut specific_force = acceleration + coriolis;
-    specific_force.z = specific_force.z - earth::gravity(s, altitude.value);
-
-    let (sin_roll, cos_roll) = roll.value.sin_cos();
-    let (sin_pitch, cos_pitch) = pitch.value.sin_cos();
-    let (sin_yaw, cos_yaw) = yaw.value.sin_cos();
-    // C_nᵇ = Rx(γ)·Ry(θ)·Rz(ψ)
-    let to_body = |n: Vector<R>| {
-        let (x, y) = (cos_yaw * n.x + sin_yaw * n.y, cos_yaw * n.y - sin_yaw * n.x);
-        let (x, z) = (cos_pitch * x - sin_pitch * n.z, sin_pitch * x + cos_pitch * n.z);
-        Vector::new(x, cos_roll * y + sin_roll * z, cos_roll * z - sin_roll * y)
-    };
-    // ω_nbᵇ = (γ̇ − ψ̇ sinθ, θ̇ cosγ + ψ̇ sinγ cosθ, −θ̇ sinγ + ψ̇ cosγ cosθ)
-    let rate_nb = Vector::new(
-        roll.first - yaw.first * sin_pitch,
-        pitch.first * cos_roll + yaw.first * sin_roll * cos_pitch,
-        yaw.first * cos_roll * cos_pitch - pitch.first * sin_roll,
-    );
-    Rates {
-        rate_ib_b: rate_nb + to_body(earth_rate + transport_rate),
-        specific_force_b: to_body(specific_force),
-    }
+    motion.rates()
 }
 
 /// Gauss-Legendre quadrature with n nodes in each of some equal panels of a sample.
@@ -187,7 +142,7 @@ impl Quadrature {
         let mut velocity = Vector::ZERO;
         for &(node, weight) in rule {
             let (hi, rest) = two_sum(centre_s.hi, from_centre_s + half_s * R::of(node));
-            let r = rates(&trajectory.at_instant(Pair { hi, lo: rest + centre_s.lo }));
+            let r = trajectory.rates_at(Pair { hi, lo: rest + centre_s.lo });
             // f₁ + Σ ½wᵢ(fᵢ − f₁): the weights' rounding then has no bias
             let base = *reference.get_or_insert(r);
             let half_weight = R::of(weight) * R::HALF;

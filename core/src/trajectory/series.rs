@@ -1,0 +1,185 @@
+//! Truncated power series: a function of time about an instant by its first `N` Taylor coefficients.
+//!
+//! Coefficient k is the k-th derivative over k!. Sums, products, quotients and powers of series are
+//! algebra on the coefficients; sine and cosine take one call of the function at the instant itself.
+//! Source: Moore, Kearfott & Cloud, Introduction to Interval Analysis, §9.2 (recursive Taylor coefficients).
+//!
+//! ```
+//! use schuler::trajectory::series::Series;
+//!
+//! // t about t = 2, and 1/√t there: 2^(−½) − ½·2^(−3/2)·u + …
+//! let t = Series::<3>([2.0, 1.0, 0.0]);
+//! let root = t.reciprocal_root();
+//! assert!((root.0[1] + 0.5 * 2.0_f64.powf(-1.5)).abs() < 1e-16);
+//! assert!((root * root * t - Series::constant(1.0)).0.iter().all(|c| c.abs() < 1e-15));
+//! ```
+
+use crate::math::real::Real;
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// The first `N` Taylor coefficients of a function, in the unit of its value per secondᵏ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Series<const N: usize>(pub [f64; N]);
+
+impl<const N: usize> Default for Series<N> {
+    fn default() -> Self {
+        Self::ZERO
+    }
+}
+
+impl<const N: usize> Series<N> {
+    /// 0.
+    pub const ZERO: Self = Self([0.0; N]);
+
+    /// A function that does not change.
+    #[inline]
+    pub fn constant(value: f64) -> Self {
+        let mut this = Self::ZERO;
+        if let Some(first) = this.0.first_mut() {
+            *first = value;
+        }
+        this
+    }
+
+    /// The coefficient of a power, 0 beyond the last one.
+    #[inline(always)]
+    pub fn coefficient(&self, power: usize) -> f64 {
+        self.0.get(power).copied().unwrap_or(0.0)
+    }
+
+    /// The value at the instant.
+    #[inline(always)]
+    pub fn value(&self) -> f64 {
+        self.coefficient(0)
+    }
+
+    /// With a number added.
+    #[inline(always)]
+    pub fn plus(mut self, constant: f64) -> Self {
+        if let Some(first) = self.0.first_mut() {
+            *first += constant;
+        }
+        self
+    }
+
+    /// Times a number.
+    #[inline(always)]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self(self.0.map(|c| c * factor))
+    }
+
+    /// x^(−½); the value must be positive.
+    #[inline]
+    pub fn reciprocal_root(self) -> Self {
+        // k = g^p:  g k' = p g' k,  k_n = Σ_{j=1..n} (p j − (n − j)) g_j k_{n−j}/(n g₀),  p = −½
+        let value = self.value();
+        let mut root = Self::constant(1.0 / Real::sqrt(value));
+        for n in 1..N {
+            let mut sum = 0.0;
+            for j in 1..=n {
+                let weight = -0.5 * j as f64 - (n - j) as f64;
+                sum += weight * self.coefficient(j) * root.coefficient(n - j);
+            }
+            root.set(n, sum / (n as f64 * value));
+        }
+        root
+    }
+
+    /// 1/x; the value must not be 0.
+    #[inline]
+    pub fn reciprocal(self) -> Self {
+        // x r = 1:  r_n = −r₀ Σ_{j=1..n} x_j r_{n−j}
+        let first = 1.0 / self.value();
+        let mut inverse = Self::constant(first);
+        for n in 1..N {
+            let mut sum = 0.0;
+            for j in 1..=n {
+                sum += self.coefficient(j) * inverse.coefficient(n - j);
+            }
+            inverse.set(n, -sum * first);
+        }
+        inverse
+    }
+
+    /// Sine and cosine.
+    pub fn sin_cos(self) -> (Self, Self) {
+        // s' = x'c, c' = −x's:  s_n = Σ j x_j c_{n−j}/n,  c_n = −Σ j x_j s_{n−j}/n
+        let (s, c) = Real::sin_cos(self.value());
+        let (mut sine, mut cosine) = (Self::constant(s), Self::constant(c));
+        for n in 1..N {
+            let (mut up, mut down) = (0.0, 0.0);
+            for j in 1..=n {
+                let slope = j as f64 * self.coefficient(j);
+                up += slope * cosine.coefficient(n - j);
+                down += slope * sine.coefficient(n - j);
+            }
+            sine.set(n, up / n as f64);
+            cosine.set(n, -down / n as f64);
+        }
+        (sine, cosine)
+    }
+
+    /// The derivative; its last coefficient is not known and 0.
+    pub fn derivative(self) -> Self {
+        Self(core::array::from_fn(|n| (n + 1) as f64 * self.coefficient(n + 1)))
+    }
+
+    /// The value after a time, s, by Horner's rule.
+    #[inline]
+    pub fn after(&self, time_s: f64) -> f64 {
+        self.0.iter().rev().fold(0.0, |sum, c| sum * time_s + c)
+    }
+
+    /// Sets the coefficient of a power below `N`.
+    #[inline(always)]
+    pub fn set(&mut self, power: usize, coefficient: f64) {
+        if let Some(place) = self.0.get_mut(power) {
+            *place = coefficient;
+        }
+    }
+}
+
+impl<const N: usize> Add for Series<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(mut self, b: Self) -> Self {
+        for (a, b) in self.0.iter_mut().zip(b.0) {
+            *a += b;
+        }
+        self
+    }
+}
+
+impl<const N: usize> Sub for Series<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(mut self, b: Self) -> Self {
+        for (a, b) in self.0.iter_mut().zip(b.0) {
+            *a -= b;
+        }
+        self
+    }
+}
+
+impl<const N: usize> Neg for Series<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.map(|c| -c))
+    }
+}
+
+impl<const N: usize> Mul for Series<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        // (a b)_n = Σ_{i=0..n} a_i b_{n−i}
+        let mut product = Self::ZERO;
+        for (n, place) in product.0.iter_mut().enumerate() {
+            for i in 0..=n {
+                *place += self.coefficient(i) * b.coefficient(n - i);
+            }
+        }
+        product
+    }
+}

@@ -14,11 +14,13 @@
 //! | file | what it has |
 //! |---|---|
 //! | `motion` | attitude and position with their derivatives, and what sensors read there |
+//! | [`kinematics`] | the same in Earth-fixed axes |
 //! | [`harmonic`] | channels of harmonics, as in the paper |
 //! | [`series`] | truncated power series |
 //! | [`piecewise`] | any path: polynomials of the normal, the height and the attitude |
 
 pub mod harmonic;
+pub mod kinematics;
 mod motion;
 pub mod piecewise;
 pub mod series;
@@ -29,6 +31,7 @@ use crate::math::compensated::Pair;
 use crate::math::real::{Real, Scalar};
 use crate::sample::Rates;
 use crate::solution::Solution;
+use kinematics::Kinematics;
 
 /// Bounds of a motion, from which quadrature and windows are planned.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -57,6 +60,13 @@ pub trait Trajectory<R: Real> {
     #[inline(always)]
     fn rates_at(&self, time_s: Pair<R>) -> Rates<R> {
         self.at_instant(time_s).rates()
+    }
+    /// Place and motion in Earth-fixed axes, in double precision.
+    fn kinematics_at(&self, time_s: Pair<R>) -> Kinematics
+    where
+        R: Scalar,
+    {
+        Kinematics::from(&self.at_instant(time_s).widen())
     }
     /// The state that a perfect navigator would print.
     #[inline]

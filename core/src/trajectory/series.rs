@@ -53,6 +53,16 @@ impl<const N: usize> Series<N> {
         self.coefficient(0)
     }
 
+    /// Its first coefficients.
+    #[inline(always)]
+    pub fn first<const M: usize>(&self) -> Series<M> {
+        let mut start = Series::ZERO;
+        for (to, from) in start.0.iter_mut().zip(self.0) {
+            *to = from;
+        }
+        start
+    }
+
     /// With a number added.
     #[inline(always)]
     pub fn plus(mut self, constant: f64) -> Self {

@@ -18,11 +18,15 @@
 //! | [`harmonic`] | channels of harmonics, as in the paper |
 //! | [`series`] | truncated power series |
 //! | [`piecewise`] | any path: polynomials of the normal, the height and the attitude |
+//! | [`hermite`] | the polynomial between two ends |
+//! | [`segment`] | a path by manoeuvres |
 
 pub mod harmonic;
+pub mod hermite;
 pub mod kinematics;
 mod motion;
 pub mod piecewise;
+pub mod segment;
 pub mod series;
 
 pub use motion::{Jet, Motion, wrap};

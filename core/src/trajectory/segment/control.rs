@@ -147,8 +147,17 @@ impl Controls {
         let steps = self.each().into_iter().flat_map(|control| &control.steps);
         let ends =
             steps.filter(|step| step.change != 0.0).flat_map(|step| [step.start_s, step.end_s()]);
-        let least = time_s + LEAST_SPAN_S;
-        ends.filter(|end| *end > least).fold(self.duration_s, f64::min)
+        let (least, last) = (time_s + LEAST_SPAN_S, self.duration_s - LEAST_SPAN_S);
+        let between = ends.filter(|end| least < *end && *end < last);
+        between.fold(self.duration_s, f64::min)
+    }
+
+    /// Whether every number is finite.
+    pub fn is_finite(&self) -> bool {
+        let steps = self.each().into_iter().flat_map(|control| &control.steps);
+        let numbers = steps.flat_map(|step| [step.start_s, step.duration_s, step.change]);
+        let values = self.each().into_iter().map(|control| control.value);
+        numbers.chain(values).chain([self.duration_s]).all(f64::is_finite)
     }
 
     /// Whether all stands still throughout.

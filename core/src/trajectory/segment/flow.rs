@@ -88,6 +88,9 @@ impl Track {
     /// Where controls lead in the end: the same as of the last piece that is made of them.
     pub fn after(&self, controls: &Controls) -> Self {
         let (mut track, mut time_s) = (*self, 0.0);
+        if controls.is_still() {
+            return track;
+        }
         while controls.duration_s - time_s > super::control::LEAST_SPAN_S {
             let joint = controls.joint_after(time_s);
             let inside = 0.5 * (time_s + joint);

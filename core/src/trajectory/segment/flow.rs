@@ -116,7 +116,7 @@ impl Track {
     ) -> Self {
         // A step of the seventh order bends so much that one series does not reach across a piece.
         let (count, span_s) =
-            if controls.steps_at(inside_s) { (2, 0.5 * span_s) } else { (1, span_s) };
+            if controls.steps_at(inside_s) { (3, span_s / 3.0) } else { (1, span_s) };
         (0..count).fold(*self, |track, part| {
             let from_s = from_s + f64::from(part) * span_s;
             let flow = Flow::<FLOW_TERMS>::new(&track, &controls.drive(from_s, inside_s));

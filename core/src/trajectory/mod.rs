@@ -15,10 +15,15 @@
 //! |---|---|
 //! | `motion` | attitude and position with their derivatives, and what sensors read there |
 //! | [`kinematics`] | the same in Earth-fixed axes |
+//! | `geographic` | what a navigator would print of that |
 //! | [`harmonic`] | channels of harmonics, as in the paper |
 //! | [`series`] | truncated power series |
 //! | [`piecewise`] | any path: polynomials of the normal, the height and the attitude |
+//! | [`carried`], `displaced` | a lever arm and vibration on any motion |
 
+pub mod carried;
+mod displaced;
+mod geographic;
 pub mod harmonic;
 pub mod kinematics;
 mod motion;

@@ -8,7 +8,6 @@
 //! | [`piece`] | one piece, and the order of its channels |
 //! | [`place`] | normal and position as power series |
 //! | `axes` | attitude by a rule: [`Attitude`] |
-//! | `geographic` | what a navigator would print |
 //! | `bound` | bounds of a motion, from its pieces |
 //!
 //! ```
@@ -27,7 +26,6 @@
 
 mod axes;
 mod bound;
-mod geographic;
 pub mod piece;
 pub mod place;
 
@@ -36,7 +34,7 @@ pub use axes::Attitude;
 use super::kinematics::{Kinematics, specific_force_e, to_body};
 use super::motion::Motion;
 use super::series::Series;
-use super::{Bound, Trajectory};
+use super::{Bound, Trajectory, geographic};
 use crate::earth::ROTATION_RATE;
 use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;

@@ -228,7 +228,7 @@ impl Plan {
     /// The navigator of this plan, at the scene's start without its initial error.
     fn start(&self, scene: &Scene, source: &Source) -> Option<Box<dyn Navigate>> {
         let interval_s = Pair::new(scene.rate_hz).reciprocal();
-        let initial = source.motion(0).initial();
+        let initial = source.initial(0);
         navigator::start(&scene.navigator, self.window, self.order, interval_s, &initial).ok()
     }
 }

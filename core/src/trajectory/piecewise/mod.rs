@@ -97,7 +97,7 @@ impl core::fmt::Display for PathError {
 impl core::error::Error for PathError {}
 
 /// A path by its pieces, which follow each other: an array, a `heapless::Vec`, a `Vec`, a slice.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Piecewise<P, const TERMS: usize> {
     pieces: P,
     attitude: Attitude,

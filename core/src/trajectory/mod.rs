@@ -17,11 +17,13 @@
 //! | [`harmonic`] | channels of harmonics, as in the paper |
 //! | [`series`] | truncated power series |
 //! | [`piecewise`] | any path: polynomials of the normal, the height and the attitude |
+//! | [`spline`] | splines through points, or near them |
 
 pub mod harmonic;
 mod motion;
 pub mod piecewise;
 pub mod series;
+pub mod spline;
 
 pub use motion::{Jet, Motion, wrap};
 

@@ -1,12 +1,13 @@
 //! `frontier.png`: a panel per scene, time against error, both logarithmic, with the front.
 
 use super::Point;
-use super::case::{Arithmetic, Case, Method};
+use super::case::{Case, Method};
 use super::table::{by_scene, front_of};
 use schuler_report::axis::printed;
 use schuler_report::canvas::{Anchor, Canvas, Ink, Lettering, Stroke};
 use schuler_report::chart::Frame;
 use schuler_report::raster::Raster;
+use schuler_simulator::navigator::compared::Arithmetic;
 use schuler_simulator::number::parameter;
 use schuler_simulator::scene::{self, Precision, WindowShape};
 use std::io;

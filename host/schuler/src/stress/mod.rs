@@ -12,12 +12,10 @@
 //! | `place` | poles, antimeridian, equator, heights |
 //! | `numbers` | zeros, subnormals, no rotation |
 //! | `refused` | input that cannot be right |
-//! | `stochastic` | a scalar that rounds at random |
 //! | `rounding` | how many digits are trustworthy |
 //! | `aged` | states stored late, sums of many terms |
 //! | `unresolved` | motion that the sampling does not resolve, noise, coarse steps |
 //! | `fuzz` | random scenes: the plan against every window |
-//! | `split_mix` | random words |
 
 mod aged;
 pub mod case;
@@ -31,8 +29,6 @@ mod place;
 mod refused;
 pub mod residual;
 mod rounding;
-mod split_mix;
-pub mod stochastic;
 mod time;
 mod unresolved;
 

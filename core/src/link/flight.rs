@@ -82,16 +82,15 @@ impl<M: Entry> LinkedFlight<M> {
         if self.finished != 0 {
             return Err(Refusal::Finished);
         }
-        let missing = self.missing_before(number)?;
+        let missing = self.missing_up_to(number.saturating_sub(1))?;
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, Some(sample), push);
         if flown.is_err() {
             (self.flight, self.bridge) = before;
             return flown.map(|()| Taken::Flown);
         }
-        self.count(missing);
         self.taken = number;
-        self.came = self.came << 1 | 1;
+        self.came = self.came.unbounded_shl(missing) << 1 | 1;
         Ok(Taken::Flown)
     }
 
@@ -109,29 +108,25 @@ impl<M: Entry> LinkedFlight<M> {
         if samples < self.taken {
             return Err(Refusal::Count);
         }
-        let missing = self.missing_before(samples.saturating_add(1))?;
+        let missing = self.missing_up_to(samples)?;
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, None, push);
         if flown.is_err() {
             (self.flight, self.bridge) = before;
             return flown.map(|()| Taken::Flown);
         }
-        self.count(missing);
+        // Samples that were missing are numbered as if they had been there.
+        self.taken = samples;
+        self.came = self.came.unbounded_shl(missing);
         self.flight.finish_by(finish);
         self.finished = 1;
         Ok(Taken::Flown)
     }
 
-    /// How many samples are missing before one.
-    fn missing_before(&self, number: u32) -> Result<u32, Refusal> {
-        let missing = number.saturating_sub(self.taken).saturating_sub(1);
+    /// How many samples are missing after the last one taken, up to a number.
+    fn missing_up_to(&self, number: u32) -> Result<u32, Refusal> {
+        let missing = number.saturating_sub(self.taken);
         if missing > MOST_BRIDGED { Err(Refusal::Gap) } else { Ok(missing) }
-    }
-
-    /// Samples that were missing are numbered as if they had been there.
-    fn count(&mut self, missing: u32) {
-        self.taken = self.taken.saturating_add(missing);
-        self.came = self.came.unbounded_shl(missing);
     }
 
     /// Flies a sample after those that are missing before it; none ends the stream.

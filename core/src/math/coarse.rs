@@ -5,7 +5,7 @@
 
 use super::real::{Real, Scalar};
 use super::twin::Both;
-use crate::wrapped_constants;
+use crate::{one_number, wrapped_constants};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use micromath::F32Ext;
 
@@ -37,7 +37,7 @@ impl Neg for Coarse {
 }
 
 impl Real for Coarse {
-    type Mask = bool;
+    one_number!();
     type Twin = Both<Self>;
     wrapped_constants!(f32, Self);
 
@@ -91,18 +91,6 @@ impl Real for Coarse {
     #[inline(always)]
     fn upper_half(self) -> Self {
         Self(Real::upper_half(self.0))
-    }
-    #[inline(always)]
-    fn less(self, other: Self) -> bool {
-        self < other
-    }
-    #[inline(always)]
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
-    }
-    #[inline(always)]
-    fn any(mask: bool) -> bool {
-        mask
     }
     #[inline(always)]
     fn is_within(self, bound: Self) -> bool {

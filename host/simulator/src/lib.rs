@@ -34,4 +34,5 @@ pub mod source;
 pub mod theory;
 pub mod timing;
 pub mod twin;
-pub mod units;
+
+pub use schuler::units;

@@ -8,7 +8,6 @@ use schuler::math::compensated::Pair;
 use schuler::record::Record;
 use schuler::strapdown::block::window::H0B4A0;
 use schuler::strapdown::frame::local_level::LocalLevel;
-use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::Strapdown;
 use schuler_tests::Course;
 

@@ -3,6 +3,14 @@
 //! A navigator is a row of [`every_frame!`](crate::every_frame) (precision, axes, frame) with a window of the
 //! table in [`window`](crate::strapdown::block::window) that the row's user has, or with the textbook's
 //! algorithm. A line more in either table is a navigator more for all of its users.
+//!
+//! ```
+//! use schuler::flight::catalogue::{Catalogue, Every};
+//!
+//! let mut in_single_precision = 0;
+//! Every::each(&mut |one| in_single_precision += usize::from(one.to_string().starts_with("f32 ")));
+//! assert!(in_single_precision > 20);
+//! ```
 
 use super::configuration::{Algorithm, Axes, Configuration, Precision};
 use crate::math::compensated::{Pair, TwoFloat};

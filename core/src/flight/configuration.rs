@@ -1,4 +1,15 @@
 //! What tells one navigator from another: precision, axes, algorithm and window.
+//!
+//! ```
+//! use schuler::flight::configuration::{Algorithm, Axes, Configuration, Precision};
+//! use schuler::strapdown::block::shape::WindowShape;
+//!
+//! let one: Configuration = "f64 earth-fixed taylor 0,4,0".parse()?;
+//! assert_eq!((one.precision, one.axes), (Precision::F64, Axes::EarthFixed));
+//! assert_eq!((one.algorithm, one.window), (Algorithm::Taylor, WindowShape::new(0, 4, 0)));
+//! assert_eq!(Configuration::from_bytes(one.to_bytes()), Some(one));
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use crate::strapdown::block::shape::WindowShape;
 use core::fmt::{self, Display, Formatter};

@@ -1,4 +1,20 @@
 //! A mechanization with its state and the digest of all its states: what flies, wherever it does.
+//!
+//! ```
+//! use schuler::flight::flight::Flight;
+//! use schuler::prelude::*;
+//!
+//! let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
+//! let start = Solution::new(Geodetic::default(), Vector::ZERO, level);
+//! let mut flight = Flight::new(Navigator4::<f64>::from_rate_hz(100.0)?, &start)?;
+//! let before = flight.digest();
+//! for _ in 0..4 {
+//!     flight.push(Increment::ZERO)?;
+//! }
+//! // A block is complete, and its state is in the digest.
+//! assert!(flight.integrated() == 4 && flight.digest() != before);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use super::catalogue::Entry;
 use crate::digest::Digest;

@@ -1,4 +1,21 @@
 //! A flight that is fed in double precision, whatever it computes in.
+//!
+//! ```
+//! use schuler::flight::from_double::FromDouble;
+//! use schuler::math::compensated::Pair;
+//! use schuler::prelude::*;
+//!
+//! let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
+//! let start = Solution::new(Geodetic::default(), Vector::ZERO, level);
+//! let mut flown =
+//!     FromDouble::<Navigator4<f32>>::start(Pair::new(100.0).reciprocal(), 10, &start)?;
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -0.0978) };
+//! for _ in 0..4 {
+//!     flown.push_by(&sample, &mut |navigator, state, narrowed| navigator.push(state, narrowed))?;
+//! }
+//! assert!(flown.solution().velocity_ned.z.hi.abs() < 1e-3);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use super::carried::Carried;
 use super::catalogue::Entry;

@@ -1,6 +1,24 @@
 //! One mechanization in flight at the end of a link: bridging, navigation, digest.
 //!
 //! Target and host fly the same code, so that the same samples leave the same bits.
+//!
+//! ```
+//! use schuler::link::flight::{LinkedFlight, Taken};
+//! use schuler::link::gap::Policy;
+//! use schuler::prelude::*;
+//!
+//! let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
+//! let start = Solution::new(Geodetic::default(), Vector::ZERO, level);
+//! let navigator = Navigator4::<f64>::from_rate_hz(100.0)?;
+//! let mut flight = LinkedFlight::new(navigator, start, Policy::Bridge)?;
+//! let push = Navigator4::<f64>::push;
+//! assert_eq!(flight.take(1, Increment::ZERO, push), Ok(Taken::Flown));
+//! assert_eq!(flight.take(1, Increment::ZERO, push), Ok(Taken::Again));
+//! // The second sample never came.
+//! assert_eq!(flight.take(3, Increment::ZERO, push), Ok(Taken::Flown));
+//! assert_eq!((flight.taken(), flight.came(), flight.bridged()), (3, 0b101, 1));
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use super::frame::Writer;
 use super::gap::{Bridge, MOST_BRIDGED, Policy};

@@ -2,6 +2,15 @@
 //!
 //! A sine is accurate to about 1e-3 and a square root to a few per cent: for comparison with the other types, not
 //! for navigation. Sums, products and quotients are those of `f32`.
+//!
+//! ```
+//! use schuler::math::coarse::Coarse;
+//! use schuler::math::real::Real;
+//!
+//! let (sine, cosine) = Coarse(0.5).sin_cos();
+//! assert!((sine.0 - 0.479_425_5).abs() < 2e-3 && (cosine.0 - 0.877_582_6).abs() < 2e-3);
+//! assert_eq!(Coarse(0.5) + Coarse(0.25), Coarse(0.75));
+//! ```
 
 use super::real::{Real, Scalar};
 use super::twin::Both;

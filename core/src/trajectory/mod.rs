@@ -17,13 +17,17 @@
 //! | [`harmonic`] | channels of harmonics, as in the paper |
 //! | [`series`] | truncated power series |
 //! | [`piecewise`] | any path: polynomials of the normal, the height and the attitude |
+//! | [`log`] | paths by logged positions and attitudes |
 //! | [`spline`] | splines through points, or near them |
+//! | [`waypoints`] | paths by way-points |
 
 pub mod harmonic;
+pub mod log;
 mod motion;
 pub mod piecewise;
 pub mod series;
 pub mod spline;
+pub mod waypoints;
 
 pub use motion::{Jet, Motion, wrap};
 

@@ -23,7 +23,6 @@
 //! # Ok::<(), schuler::trajectory::harmonic::CourseError>(())
 //! ```
 
-use crate::earth::{self, Radii};
 use crate::math::compensated::{Pair, two_product, two_sum};
 use crate::math::real::Real;
 use crate::math::vector::Vector;
@@ -68,6 +67,11 @@ impl Quadrature {
         }
     }
 
+    /// So many nodes, from 1 to 8, in one panel; where there are no such rules, the nearest.
+    pub fn of_nodes(nodes: usize) -> Self {
+        Self { nodes: nodes.clamp(1, NODES.len()), panels: 1 }
+    }
+
     /// The same panels with the largest number of nodes.
     pub fn finest(self) -> Self {
         Self { nodes: NODES.len(), ..self }
@@ -104,8 +108,51 @@ impl Quadrature {
     }
 
     /// The increment over an interval about its centre, s: both are more precise than a single `f64` time.
+    /// It is summed over the parts between the joints of the motion.
     #[inline]
     pub fn increment_about<R: Real, T: Trajectory<R> + ?Sized>(
+        self,
+        trajectory: &T,
+        centre_s: Pair<R>,
+        interval_s: Pair<R>,
+    ) -> Increment<R> {
+        let half_s = interval_s.hi * R::HALF;
+        let is_within = |joint_s: R| R::any(joint_s.less(centre_s.hi + half_s));
+        match trajectory.joint_after(centre_s.hi - half_s) {
+            Some(joint_s) if is_within(joint_s) => self.in_parts(trajectory, centre_s, interval_s),
+            _ => self.unbroken(trajectory, centre_s, interval_s),
+        }
+    }
+
+    /// The same across joints.
+    #[inline(never)]
+    fn in_parts<R: Real, T: Trajectory<R> + ?Sized>(
+        self,
+        trajectory: &T,
+        centre_s: Pair<R>,
+        interval_s: Pair<R>,
+    ) -> Increment<R> {
+        let half_of = |a: Pair<R>| Pair { hi: a.hi * R::HALF, lo: a.lo * R::HALF };
+        let half_s = half_of(interval_s);
+        let (mut from_s, end_s) = (centre_s - half_s, centre_s + half_s);
+        let mut sum = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
+        loop {
+            let joint_s = trajectory.joint_after(from_s.hi);
+            let joint_s = joint_s.filter(|joint_s| R::any(joint_s.less(end_s.hi)));
+            let to_s = joint_s.map_or(end_s, Pair::new);
+            let part = self.unbroken(trajectory, half_of(from_s + to_s), to_s - from_s);
+            sum.angle_b = sum.angle_b + part.angle_b;
+            sum.velocity_b = sum.velocity_b + part.velocity_b;
+            if joint_s.is_none() {
+                return sum;
+            }
+            from_s = to_s;
+        }
+    }
+
+    /// The increment of a motion without joints in between.
+    #[inline]
+    fn unbroken<R: Real, T: Trajectory<R> + ?Sized>(
         self,
         trajectory: &T,
         centre_s: Pair<R>,

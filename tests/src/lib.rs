@@ -51,7 +51,7 @@ impl Course {
 
     /// The true state at the start, to twice the digits.
     pub fn initial(&self) -> Solution<f64> {
-        self.source.motion(0).initial()
+        self.source.initial(0)
     }
 
     /// Distance of a computed position from the truth at the end of a sample, m.

@@ -14,17 +14,28 @@
 //! | file | what it has |
 //! |---|---|
 //! | `motion` | attitude and position with their derivatives, and what sensors read there |
+//! | [`kinematics`] | the same in Earth-fixed axes |
+//! | `geographic` | what a navigator would print of that |
 //! | [`harmonic`] | channels of harmonics, as in the paper |
 //! | [`series`] | truncated power series |
 //! | [`piecewise`] | any path: polynomials of the normal, the height and the attitude |
+//! | [`carried`], `displaced` | a lever arm and vibration on any motion |
+//! | [`hermite`] | the polynomial between two ends |
+//! | [`segment`] | a path by manoeuvres |
 //! | [`log`] | paths by logged positions and attitudes |
 //! | [`spline`] | splines through points, or near them |
 //! | [`waypoints`] | paths by way-points |
 
+pub mod carried;
+mod displaced;
+mod geographic;
 pub mod harmonic;
+pub mod hermite;
+pub mod kinematics;
 pub mod log;
 mod motion;
 pub mod piecewise;
+pub mod segment;
 pub mod series;
 pub mod spline;
 pub mod waypoints;
@@ -35,6 +46,7 @@ use crate::math::compensated::Pair;
 use crate::math::real::{Real, Scalar};
 use crate::sample::Rates;
 use crate::solution::Solution;
+use kinematics::Kinematics;
 
 /// Bounds of a motion, from which quadrature and windows are planned.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,6 +75,13 @@ pub trait Trajectory<R: Real> {
     #[inline(always)]
     fn rates_at(&self, time_s: Pair<R>) -> Rates<R> {
         self.at_instant(time_s).rates()
+    }
+    /// Place and motion in Earth-fixed axes, in double precision.
+    fn kinematics_at(&self, time_s: Pair<R>) -> Kinematics
+    where
+        R: Scalar,
+    {
+        Kinematics::from(&self.at_instant(time_s).widen())
     }
     /// The state that a perfect navigator would print.
     #[inline]

@@ -134,6 +134,23 @@ impl<R: Real> Motion<R> {
 }
 
 impl<R: Scalar> Motion<R> {
+    /// In double precision, exactly.
+    pub fn widen(&self) -> Motion<f64> {
+        let wide = |jet: Jet<R>| Jet {
+            value: jet.value.widen(),
+            first: jet.first.widen(),
+            second: jet.second.widen(),
+        };
+        Motion {
+            roll: wide(self.roll),
+            pitch: wide(self.pitch),
+            yaw: wide(self.yaw),
+            latitude: wide(self.latitude),
+            longitude: wide(self.longitude),
+            altitude: wide(self.altitude),
+        }
+    }
+
     /// The state that a perfect navigator would print, with the latitude within ±90°.
     pub fn solution(&self) -> Solution<R> {
         let (position, velocity_ned, attitude) = self.folded();

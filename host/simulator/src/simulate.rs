@@ -41,7 +41,7 @@ impl<'a> Simulation<'a> {
         let plan = Plan::new(scene, &source, force_all);
         let theory = Theory::new(scene).map_err(SourceError::Trajectory)?;
         let interval_s = Pair::new(scene.rate_hz).reciprocal();
-        let initial = offset(&source.motion(0).initial(), scene);
+        let initial = offset(&source.initial(0), scene);
         let navigator =
             navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &initial)?;
         Ok(Self { scene, source, plan, theory, initial, vehicle: Box::new(navigator) })

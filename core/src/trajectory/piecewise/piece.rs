@@ -7,8 +7,11 @@
 //! let mut piece = Piece::<8>::new(10.0, 20.0);
 //! piece.coefficients[0] = [0.0, 0.0, 1.0, 110.0, 1.0, 0.0, 0.0, 0.0];
 //! piece.coefficients[1][3] = 2.0;
-//! assert_eq!(piece.channel(3, 15.0 - 5.0), 100.0);
+//! assert_eq!(piece.channel(3, 10.0), 100.0);
 //! ```
+
+use crate::math::compensated::Pair;
+use crate::trajectory::series::Series;
 
 /// Number of channels: three of the normal, the height, four of the attitude.
 pub const CHANNELS: usize = 8;
@@ -43,4 +46,37 @@ impl<const TERMS: usize> Piece<TERMS> {
         let coefficient = |row: &[f64; CHANNELS]| row.get(channel).copied().unwrap_or(0.0);
         self.coefficients.iter().rev().fold(0.0, |sum, row| sum * u + coefficient(row))
     }
+
+    /// The first `N` Taylor coefficients of four channels from one on, about a time with its remainder, s.
+    #[inline(always)]
+    pub(crate) fn series<const N: usize>(&self, half: Half, time_s: Pair<f64>) -> [Series<N>; 4] {
+        // Horner's rule with its derivatives: p ← p u + c,  p⁽ᵏ⁾/k! ← p⁽ᵏ⁾/k! · u + p⁽ᵏ⁻¹⁾/(k−1)!
+        let u = (time_s.hi - self.middle_s) + time_s.lo;
+        let mut rows = [[0.0; 4]; N];
+        for [a, b, c, d, e, f, g, h] in self.coefficients.iter().rev() {
+            let mut below = match half {
+                Half::Position => [*a, *b, *c, *d],
+                Half::Attitude => [*e, *f, *g, *h],
+            };
+            for row in &mut rows {
+                let before = *row;
+                for (value, below) in row.iter_mut().zip(below) {
+                    *value = *value * u + below;
+                }
+                below = before;
+            }
+        }
+        core::array::from_fn(|channel| {
+            Series(rows.map(|row| row.get(channel).copied().unwrap_or(0.0)))
+        })
+    }
+}
+
+/// Which four of the channels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Half {
+    /// m and h.
+    Position,
+    /// s.
+    Attitude,
 }

@@ -34,7 +34,7 @@ pub fn record(
     provenance: &str,
 ) -> Result<Vec<Named>, FlightError> {
     let source = Source::new(scene, false)?;
-    let initial = offset(&source.motion(0).initial(), scene);
+    let initial = offset(&source.initial(0), scene);
     let interval_s = Pair::new(scene.rate_hz).reciprocal();
     let about = about(scene, cadence, provenance);
     let mut shared = SHARED.map(|stage| Recording::new(&[stage], Width::Double, cadence));

@@ -77,7 +77,7 @@ where
     let interval_s = Pair::narrow(Pair::new(scene.rate_hz).reciprocal());
     let refused = |error: StartError| error.to_string();
     let mechanization = new(interval_s).map_err(refused)?;
-    let initial = Solution::narrow(&source.motion(0).initial());
+    let initial = Solution::narrow(&source.initial(0));
     let mut original = mechanization.start(&initial).map_err(refused)?;
     let mut carried = Carried::default();
     let mut samples = cycle.iter().cycle().map(|sample| carried.narrow(sample));

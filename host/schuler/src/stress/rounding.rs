@@ -83,7 +83,7 @@ where
     let scene = built_in(scene, |scene| scene.duration_s = seconds)?;
     let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
     let samples: Vec<_> = (1..=scene.samples()).map(|n| source.perfect_sample(n)).collect();
-    let initial = source.motion(0).initial();
+    let initial = source.initial(0);
     let interval_s = Pair::new(scene.rate_hz).reciprocal();
     let mut ends = Vec::new();
     for seed in 1..=SEEDS {

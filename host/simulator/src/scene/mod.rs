@@ -9,6 +9,7 @@ pub mod parse;
 pub mod terms;
 pub mod window;
 
+use crate::course::Path;
 use crate::input::document::{Document, did_you_mean};
 use crate::input::{Complaint, InputError, read_text};
 pub use schuler::flight::configuration::{Algorithm, Axes, Precision};
@@ -16,7 +17,7 @@ pub use schuler::strapdown::block::shape::WindowShape;
 
 use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
-use std::path::Path;
+use std::path;
 
 /// Everything that one run needs to know.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +63,7 @@ pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputErr
     if let Some(scene) = builtin::scene(name_or_path) {
         return Ok(scene);
     }
-    let is_path = name_or_path.contains(['/', '\\', '.']) || Path::new(name_or_path).exists();
+    let is_path = name_or_path.contains(['/', '\\', '.']) || path::Path::new(name_or_path).exists();
     if !is_path {
         let names = builtin::names().map(|(name, _)| name);
         let names: Vec<_> = names.chain(other.iter().copied()).collect();
@@ -88,9 +89,11 @@ pub fn blame(name_or_path: &str, key: &str, complaint: Complaint) -> InputError 
     )
 }
 
-/// The six channels; angles in rad, altitude in m.
+/// The true motion: six channels, angles in rad, altitude in m; or a path in their place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trajectory {
+    /// The path that is flown; the channels are not asked then.
+    pub path: Option<Path>,
     /// Roll γ.
     pub roll: Channel,
     /// Pitch θ.

@@ -2,14 +2,14 @@
 
 use super::sources::{SENSORS, Sources, unit};
 use super::steps;
-use crate::scene::build::HARMONICS;
+use crate::course;
 use crate::scene::{Scene, Vertical};
 use schuler::drift::compare::Drift;
 use schuler::drift::linear::{ErrorDynamics, ErrorState};
 use schuler::drift::meridian::MeridianShift;
-use schuler::imu;
+use schuler::math::compensated::Pair;
 use schuler::sample::Rates;
-use schuler::trajectory::harmonic::{CourseError, HarmonicTrajectory};
+use schuler::trajectory::harmonic::CourseError;
 use schuler::trajectory::{Motion, Trajectory};
 
 /// The longest step, s: 1/400 of Schuler's period over 2π, for a rule of fourth order.
@@ -23,7 +23,7 @@ pub type Covariance = [[f64; 9]; 9];
 /// A scene, as theory sees it.
 #[derive(Clone, Debug)]
 pub struct Course {
-    trajectory: HarmonicTrajectory<f64, HARMONICS>,
+    trajectory: course::Course,
     pub sources: Sources,
     vertical_held: bool,
     /// Whether there is a covariance at all.
@@ -83,7 +83,7 @@ impl Course {
     /// At a time, s.
     pub fn instant(&self, time_s: f64) -> Instant {
         let motion = self.trajectory.at(time_s);
-        let rates = imu::rates(&motion);
+        let rates = self.trajectory.rates_at(Pair::new(time_s));
         let dynamics = ErrorDynamics::new(&motion, &rates, self.vertical_held);
         Instant { time_s, motion, rates, dynamics }
     }

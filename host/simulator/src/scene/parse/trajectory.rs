@@ -43,6 +43,7 @@ pub fn read(root: &Section<'_>) -> Result<Trajectory, InputError> {
     };
     let get = |key, of| section.get(key).map_or(Ok(Channel::default()), |v| channel(&v, of));
     Ok(Trajectory {
+        path: None,
         roll: get("roll_deg", ANGLE)?,
         pitch: get("pitch_deg", ANGLE)?,
         yaw: get("yaw_deg", ANGLE)?,

@@ -1,0 +1,143 @@
+//! What a navigator would print of a place and an attitude in Earth-fixed axes.
+
+use super::kinematics::{Kinematics, to_body};
+use super::motion::{Jet, Motion};
+use crate::earth::{ECCENTRICITY_SQUARED, Geodetic, Radii};
+use crate::math::compensated::Pair;
+use crate::math::quaternion::Quaternion;
+use crate::math::real::Real;
+use crate::math::vector::Vector;
+use crate::solution::{Euler, Solution};
+use core::f64::consts::FRAC_PI_2;
+
+/// q_nᵉ* ⊗ q_bᵉ, from sine and cosine of ½λ and of ½(φ + 90°).
+fn from_north<T: crate::math::real::Number>(
+    (sl, cl): (T, T),
+    (s, c): (T, T),
+    body_to_earth: Quaternion<T>,
+) -> Quaternion<T> {
+    // q_nᵉ = q_z(λ) ⊗ q_y(−φ − 90°)
+    let to_earth = Quaternion::new(c * cl, Vector::new(s * sl, -(s * cl), c * sl));
+    to_earth.conjugate() * body_to_earth
+}
+
+/// Latitude and longitude of a normal, to the digits of a double.
+fn angles(normal: Vector<f64>) -> (f64, f64) {
+    let across = Real::sqrt(normal.x * normal.x + normal.y * normal.y);
+    (Real::atan2(normal.z, across), Real::atan2(normal.y, normal.x))
+}
+
+/// v in north, east, down, from sine and cosine of latitude and longitude, and the climb.
+fn velocity_ned(
+    (s, c): (f64, f64),
+    (sl, cl): (f64, f64),
+    velocity_e: Vector<f64>,
+    climb: f64,
+) -> Vector<f64> {
+    let outward = velocity_e.x * cl + velocity_e.y * sl;
+    Vector::new(c * velocity_e.z - s * outward, velocity_e.y * cl - velocity_e.x * sl, -climb)
+}
+
+/// The printed state, to the digits of a double.
+pub(super) fn solution(at: &Kinematics, climb: f64) -> Solution<f64> {
+    let (latitude, longitude) = angles(at.normal_e);
+    let (ring, meridian) = (Real::sin_cos(latitude), Real::sin_cos(longitude));
+    let half = |x: f64| Real::sin_cos(0.5 * x);
+    let attitude = from_north(half(longitude), half(latitude + FRAC_PI_2), at.attitude);
+    Solution {
+        position: Geodetic { latitude, longitude, altitude: at.altitude }.map(Pair::new),
+        velocity_ned: velocity_ned(ring, meridian, at.velocity_e, climb).map(Pair::new),
+        attitude: attitude.map(Pair::new),
+    }
+}
+
+/// The same to about twice the digits, from a normal and a quaternion of any length.
+pub(super) fn initial(
+    m: Vector<f64>,
+    body_to_earth: Quaternion<f64>,
+    at: &Kinematics,
+    climb: f64,
+) -> Solution<f64> {
+    let (latitude, longitude) = angles(at.normal_e);
+    let m = m.map(Pair::new);
+    let across2 = m.x * m.x + m.y * m.y;
+    let across = if across2.hi > 0.0 { across2.sqrt() } else { Pair::default() };
+    let (s, c) = Pair::new(latitude).sin_cos();
+    // The rest of an angle is the sine of what the double misses: σ cosφ − |n̂_xy| sinφ
+    let length = (across2 + m.z * m.z).sqrt();
+    let rest = (m.z * c - across * s) * length.reciprocal();
+    let latitude = Pair::sum(latitude, rest.hi);
+    let (sl, cl) = Pair::new(longitude).sin_cos();
+    let rest =
+        if across.hi > 0.0 { (m.y * cl - m.x * sl) * across.reciprocal() } else { Pair::default() };
+    let longitude = Pair::sum(longitude, rest.hi);
+    let q = body_to_earth.map(Pair::new);
+    let square = q.w * q.w + q.v.dot(q.v);
+    let unit = q * square.sqrt().reciprocal();
+    let half = Pair::new(0.5);
+    let from_south = latitude + Pair::new(FRAC_PI_2) + Pair::new(6.123_233_995_736_766e-17);
+    let attitude = from_north((longitude * half).sin_cos(), (from_south * half).sin_cos(), unit);
+    let (ring, meridian) = ((s.hi, c.hi), (sl.hi, cl.hi));
+    Solution {
+        position: Geodetic { latitude, longitude, altitude: Pair::new(at.altitude) },
+        velocity_ned: velocity_ned(ring, meridian, at.velocity_e, climb).map(Pair::new),
+        attitude,
+    }
+}
+
+/// Angles and their derivatives; not a number where they are not defined.
+pub(super) fn motion(at: &Kinematics, climb: f64, climb_change: f64) -> Motion<f64> {
+    let printed = solution(at, climb);
+    let (latitude, longitude) = (printed.position.latitude.hi, printed.position.longitude.hi);
+    let ((s, c), meridian) = (Real::sin_cos(latitude), Real::sin_cos(longitude));
+    let radii = Radii::at(s, c);
+    let (north_radius, axis_distance) =
+        (radii.meridian + at.altitude, (radii.prime_vertical + at.altitude) * c);
+    let v = printed.velocity_ned.map(|c| c.hi);
+    // φ̇ = v_N/(R_M + h),  λ̇ = v_E/((R_N + h)cosφ)
+    let (latitude_rate, longitude_rate) = (v.x / north_radius, v.y / axis_distance);
+    let transport = Vector::new(longitude_rate * c, -latitude_rate, -(longitude_rate * s));
+    // v̇ⁿ = r̈ⁿ − ω_enⁿ × vⁿ, and the product rule the other way round
+    let accelerated = velocity_ned((s, c), meridian, at.acceleration_e, 0.0);
+    let change = accelerated - transport.cross(v);
+    let slope = ECCENTRICITY_SQUARED * s * c / (1.0 - ECCENTRICITY_SQUARED * s * s);
+    let north_growth = 3.0 * radii.meridian * slope * latitude_rate + climb;
+    let east_growth = radii.prime_vertical * slope * latitude_rate + climb;
+    let axis_growth = east_growth * c - (radii.prime_vertical + at.altitude) * s * latitude_rate;
+    let attitude = printed.attitude.map(|c| c.hi);
+    let Euler { roll, pitch, yaw } = Euler::from_quaternion(attitude);
+    // γ̇ = p + (q sinγ + r cosγ)tanθ,  θ̇ = q cosγ − r sinγ,  ψ̇ = (q sinγ + r cosγ)/cosθ
+    let rate = at.rate_eb_b - to_body(attitude, transport);
+    let (sr, cr) = Real::sin_cos(roll);
+    let (sp, cp) = Real::sin_cos(pitch);
+    let yaw_rate = (rate.y * sr + rate.z * cr) / cp;
+    let jet = |value: f64, first: f64, second: f64| Jet { value, first, second };
+    Motion {
+        roll: jet(roll, rate.x + yaw_rate * sp, 0.0),
+        pitch: jet(pitch, rate.y * cr - rate.z * sr, 0.0),
+        yaw: jet(yaw, yaw_rate, 0.0),
+        latitude: jet(
+            latitude,
+            latitude_rate,
+            (change.x - north_growth * latitude_rate) / north_radius,
+        ),
+        longitude: jet(
+            longitude,
+            longitude_rate,
+            (change.y - axis_growth * longitude_rate) / axis_distance,
+        ),
+        altitude: jet(at.altitude, climb, climb_change),
+    }
+}
+
+/// ḧ of a place in motion: r̈·n̂ and what the turning of the normal adds.
+pub(super) fn climb_change(at: &Kinematics) -> f64 {
+    // ḣ = v·n̂:  ḧ = r̈·n̂ + v·n̂',  v·n̂' = v_N²/(R_M + h) + v_E²/(R_N + h)
+    let (latitude, longitude) = angles(at.normal_e);
+    let ((s, c), meridian) = (Real::sin_cos(latitude), Real::sin_cos(longitude));
+    let radii = Radii::at(s, c);
+    let v = velocity_ned((s, c), meridian, at.velocity_e, 0.0);
+    at.acceleration_e.dot(at.normal_e)
+        + v.x * v.x / (radii.meridian + at.altitude)
+        + v.y * v.y / (radii.prime_vertical + at.altitude)
+}

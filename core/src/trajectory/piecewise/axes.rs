@@ -1,0 +1,107 @@
+//! Attitude by a rule: body axes from the path alone, without stored angles.
+//!
+//! Forward lies along the velocity, and down lies in the plane of forward and a vector that the rule names.
+//! Source: the frame of a coordinated turn, Stevens & Lewis, Aircraft Control and Simulation, §3.6.
+
+use super::place::Place;
+use crate::earth::ROTATION_RATE;
+use crate::math::quaternion::Quaternion;
+use crate::math::real::Real;
+use crate::math::vector::Vector;
+use crate::trajectory::series::Series;
+
+/// Where the attitude of a path comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Attitude {
+    /// The pieces' own quaternions.
+    Stored,
+    /// Forward along the velocity, no lateral specific force: an aircraft's banked turns.
+    Coordinated,
+    /// Forward along the velocity, no roll: a vehicle on its road.
+    Upright,
+    /// Forward along the course, no roll and no pitch.
+    Level,
+}
+
+/// Forward, right and down as series, in Earth-fixed axes; and fᵉ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Axes<const M: usize> {
+    axes: [Vector<Series<M>>; 3],
+}
+
+/// v = ṙ and fᵉ = r̈ + 2Ω × ṙ + γn̂ as series.
+#[inline(always)]
+pub(super) fn motion<const N: usize, const M: usize>(
+    place: &Place<N>,
+) -> (Vector<Series<M>>, Vector<Series<M>>) {
+    let velocity = place.position.map(|r| r.derivative());
+    let v = velocity.map(|v| v.first::<M>());
+    let acceleration = velocity.map(|v| v.derivative().first::<M>());
+    let gravity = place.gravity::<M>();
+    let mut force = acceleration + place.normal.map(|n| n.first::<M>()) * gravity;
+    force.x = force.x - v.y.scaled(2.0 * ROTATION_RATE);
+    force.y = force.y + v.x.scaled(2.0 * ROTATION_RATE);
+    (v, force)
+}
+
+impl<const M: usize> Axes<M> {
+    /// Of a place whose series has two more coefficients. Not a number at rest.
+    #[inline(always)]
+    pub fn new<const N: usize>(
+        rule: Attitude,
+        place: &Place<N>,
+        velocity: Vector<Series<M>>,
+        force: Vector<Series<M>>,
+    ) -> Self {
+        // x = v/|v|,  z = −(w − x(x·w))/|…|,  y = z × x
+        let normal = place.normal.map(|n| n.first::<M>());
+        let unit = |a: Vector<Series<M>>| a * a.dot(a).reciprocal_root();
+        let (x, w) = match rule {
+            Attitude::Coordinated | Attitude::Stored => (unit(velocity), force),
+            Attitude::Upright => (unit(velocity), normal),
+            Attitude::Level => (unit(velocity - normal * velocity.dot(normal)), normal),
+        };
+        let z = -unit(w - x * x.dot(w));
+        Self { axes: [x, z.cross(x), z] }
+    }
+
+    /// A vector of the Earth's axes in these.
+    #[inline(always)]
+    pub fn to_body(&self, a: Vector<f64>) -> Vector<f64> {
+        let [x, y, z] = self.axes.map(|axis| axis.map(|c| c.value()).dot(a));
+        Vector::new(x, y, z)
+    }
+
+    /// ω_ebᵇ with `M − 1` coefficients.
+    #[inline(always)]
+    pub fn rate(&self) -> Vector<Series<M>> {
+        // Ċ_bᵉ = C_bᵉ[ω×]:  ω = (z·ẏ, x·ż, y·ẋ)
+        let [x, y, z] = self.axes;
+        let rate = |a: Vector<Series<M>>, b: Vector<Series<M>>| a.dot(b.map(|c| c.derivative()));
+        Vector::new(rate(z, y), rate(x, z), rate(y, x))
+    }
+
+    /// The quaternion body → Earth-fixed axes.
+    pub fn quaternion(&self) -> Quaternion<f64> {
+        let [x, y, z] = self.axes.map(|axis| axis.map(|c| c.value()));
+        quaternion(x, y, z)
+    }
+}
+
+/// The unit quaternion of a rotation matrix by its columns: the largest component by a root, the others by
+/// quotients with it. Source: Shepperd, Journal of Guidance and Control 1(3), 1978.
+fn quaternion(x: Vector<f64>, y: Vector<f64>, z: Vector<f64>) -> Quaternion<f64> {
+    let trace = x.x + y.y + z.z;
+    let (w, v) = if trace > 0.0 {
+        (1.0 + trace, Vector::new(y.z - z.y, z.x - x.z, x.y - y.x))
+    } else if x.x > y.y && x.x > z.z {
+        (y.z - z.y, Vector::new(1.0 + x.x - y.y - z.z, x.y + y.x, z.x + x.z))
+    } else if y.y > z.z {
+        (z.x - x.z, Vector::new(x.y + y.x, 1.0 + y.y - x.x - z.z, y.z + z.y))
+    } else {
+        (x.y - y.x, Vector::new(z.x + x.z, y.z + z.y, 1.0 + z.z - x.x - y.y))
+    };
+    let q = Quaternion::new(w, v);
+    q * (1.0 / Real::sqrt(q.dot(q)))
+}

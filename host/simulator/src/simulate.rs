@@ -224,6 +224,8 @@ fn instant(source: &Source, theory: &mut Theory, sample: u64, computed: &Solutio
             truth.position.altitude.hi,
         ],
         attitude_deg: [attitude.roll, attitude.pitch, attitude.yaw].map(|angle| angle / DEGREE),
+        computed: *computed,
+        truth,
     }
 }
 

@@ -25,7 +25,7 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
         Recording::open_in(&args.imu.display().to_string(), args.units.unwrap_or_default())?;
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
-    options.gap = args.gap.unwrap_or(options.gap);
+    args.handling.apply(&mut options);
     let given = args.initial.as_ref().map(|file| NavigationRow::read(&file.display().to_string()));
     let initial = given.transpose()?.or(recording.initial).ok_or_else(|| {
         let complaint = Complaint::new(

@@ -12,6 +12,7 @@ mod psins;
 mod rates;
 mod replay;
 mod stamps;
+mod truth;
 
 use schuler_simulator::input::InputError;
 use schuler_simulator::recording::csv::INCREMENTS;

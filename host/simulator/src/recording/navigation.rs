@@ -1,8 +1,8 @@
-//! `nav.csv` and `initial.toml`: a time, a position, a velocity and an attitude, in degrees.
+//! `nav.csv`, `truth.csv` and `initial.toml`: a time, a position, a velocity and an attitude, in degrees.
 
 use crate::input::document::Document;
 use crate::input::{InputError, Range, read_text};
-use crate::output::NumberTable;
+use crate::output::{NumberTable, OutputFile};
 use crate::units::DEGREE;
 use schuler::earth::Geodetic;
 use schuler::math::compensated::Pair;
@@ -24,6 +24,9 @@ pub const COLUMNS: [&str; 10] = [
     "pitch_deg",
     "yaw_deg",
 ];
+
+/// Nearer to ±90°, a pitch leaves roll and yaw without their last digits: its cosine.
+const LEAST_COSINE: f64 = 1e-6;
 
 /// What a row of `nav.csv` says, in SI units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -49,6 +52,27 @@ impl NavigationRow {
             velocity_ned: solution.velocity_ned.map(whole),
             attitude: Euler { roll, pitch, yaw },
         }
+    }
+
+    /// The same of a start, whose attitude has about twice the digits: the angles to the last digit of each.
+    pub fn start(time_s: f64, solution: &Solution<f64>) -> Self {
+        let mut row = Self::new(time_s, solution);
+        let Euler { roll, pitch, yaw } = row.attitude;
+        let ((sine, cosine), (s, c)) = (roll.sin_cos(), pitch.sin_cos());
+        // Where the pitch is ±90°, roll and yaw are not told apart.
+        if c.abs() > LEAST_COSINE {
+            // What is left, a small rotation α in body axes: α = 2 q*⊗q′, and
+            // δγ = α_x + (α_y sinγ + α_z cosγ) tanθ,  δθ = α_y cosγ − α_z sinγ,  δψ = (α_y sinγ + α_z cosγ)/cosθ
+            let found = row.attitude.quaternion_pair();
+            let rest = (found.conjugate() * solution.attitude).v.map(|part| 2.0 * part.hi);
+            let across = rest.y * sine + rest.z * cosine;
+            row.attitude = Euler {
+                roll: roll + (rest.x + across * s / c),
+                pitch: pitch + (rest.y * cosine - rest.z * sine),
+                yaw: yaw + across / c,
+            };
+        }
+        row
     }
 
     /// The solution that a navigator starts from.
@@ -91,6 +115,15 @@ impl NavigationRow {
         })
     }
 
+    /// The text of an `initial.toml`, below a line about what it is.
+    pub fn toml(&self, about: &str) -> String {
+        let mut text = format!("# {}\n", about.replace(char::is_control, " "));
+        for (key, value) in COLUMNS.iter().zip(self.columns()) {
+            text += &format!("{key} = {}\n", zmij::Buffer::new().format(value));
+        }
+        text
+    }
+
     /// The numbers of a row, column by column.
     pub fn columns(&self) -> [f64; COLUMNS.len()] {
         let Self { time_s, position, velocity_ned: v, attitude } = self;
@@ -110,7 +143,7 @@ impl NavigationRow {
     }
 }
 
-/// Writes a `nav.csv`.
+/// Writes a `nav.csv` or a `truth.csv`.
 #[derive(Debug)]
 pub struct NavigationWriter {
     table: NumberTable,
@@ -125,6 +158,11 @@ impl NavigationWriter {
     /// The next row.
     pub fn row(&mut self, row: &NavigationRow) -> Result<(), InputError> {
         self.table.row(&row.columns())
+    }
+
+    /// The file, whole, but not in its place yet.
+    pub fn into_file(self) -> OutputFile {
+        self.table.into_file()
     }
 
     /// Puts the file in its place.

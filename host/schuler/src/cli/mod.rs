@@ -5,18 +5,19 @@ mod audit;
 mod every;
 mod hil;
 mod options;
+mod replay;
 mod start;
 
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use every::{Every, Sieve};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, Handling, NavigatorOptions, Window};
+pub use replay::{Height, Lag, ReplayArgs};
 
 use crate::report::Wanted;
 use apart::Written;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use schuler_simulator::input::InputError;
-use schuler_simulator::rest::units::Units;
 use schuler_simulator::scene::{self, Scene, Vertical, builtin};
 use std::path::{Path, PathBuf};
 
@@ -176,61 +177,6 @@ impl EmulateArgs {
     }
 }
 
-/// Options of `replay`.
-#[derive(Args, Clone, Debug, PartialEq)]
-#[command(after_help = "Examples:\n  \
-    schuler replay --imu imu.csv --initial initial.toml --out nav.csv\n  \
-    schuler replay --imu car.imu --start 540 --align 120 --until 960 --out nav.csv\n  \
-    schuler replay --imu phone.csv --units g,deg/s --initial here.toml --align 20 --heading 40 --out nav.csv")]
-pub struct ReplayArgs {
-    /// The stream: an imu.csv of increments or rates, or a PSINS .imu
-    #[arg(long, value_name = "FILE")]
-    pub imu: PathBuf,
-    /// The state to start from, a TOML file with the columns of nav.csv as keys; a PSINS .imu brings its own
-    #[arg(long, value_name = "FILE")]
-    pub initial: Option<PathBuf>,
-    /// The file to write
-    #[arg(long, value_name = "FILE")]
-    pub out: PathBuf,
-    /// Skip to this time of the recording
-    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::time_s)]
-    pub start: Option<f64>,
-    /// First stand still this long to find level and north
-    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::length_s)]
-    pub align: Option<f64>,
-    /// The heading to start from with --align, degrees from north to the east: gyros then need not find it
-    #[arg(long, value_name = "DEG", requires = "align", allow_negative_numbers = true, value_parser = options::heading_deg)]
-    pub heading: Option<f64>,
-    /// What the stream's numbers are in where that is not m/s² and rad/s (increments: m/s and rad): words
-    /// with commas between, as in g,deg/s; `increments` or `rates` overrules the header
-    #[arg(long, value_name = "WORDS", value_parser = Units::parse)]
-    pub units: Option<Units>,
-    /// End at this time of the recording
-    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::time_s)]
-    pub until: Option<f64>,
-    /// Samples per second, instead of what the time stamps say
-    #[arg(long, value_name = "HZ", allow_negative_numbers = true, value_parser = options::rate_hz)]
-    pub rate: Option<f64>,
-    /// The vertical channel and missing samples.
-    #[command(flatten)]
-    pub handling: Handling,
-    /// Write every N-th row, or a row each S seconds (10s, 0.5s), and the last [default: every row]
-    #[arg(long, value_name = "N|S", value_parser = Every::parse)]
-    pub every: Option<Every>,
-    /// How to navigate.
-    #[command(flatten)]
-    pub navigator: NavigatorOptions,
-}
-
-impl ReplayArgs {
-    /// What no option alone can get wrong: `--out` is none of the files that are read.
-    pub fn check(&self) -> Result<(), InputError> {
-        let mut read = vec![("--imu reads", self.imu.as_path())];
-        read.extend(self.initial.as_deref().map(|initial| ("--initial reads", initial)));
-        apart::check(&[Written::named("--out", &self.out)], &read)
-    }
-}
-
 /// Options of `frontier`.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
 #[command(after_help = "Example:\n  schuler frontier --quick --scene paper-perfect --rate 20")]
@@ -276,7 +222,7 @@ pub struct EnsembleArgs {
     /// How many runs to fly, numbered from 0: what `run` flies is the first
     #[arg(long, value_name = "N", default_value = "64", allow_negative_numbers = true, value_parser = options::runs)]
     pub runs: u64,
-    /// Folder for ensemble.csv [default: out/ and the name of the scene]
+    /// Folder for ensemble.csv and ensemble.json [default: out/ and the name of the scene]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// What replaces the scene's own values.

@@ -122,7 +122,7 @@ pub(super) fn named<T: Copy + Send + Sync + 'static>(
     })
 }
 
-fn number(text: &str, range: &Range) -> Result<f64, Complaint> {
+pub(super) fn number(text: &str, range: &Range) -> Result<f64, Complaint> {
     text.parse()
         .map_err(|_| Complaint::new("is not a number", range.accepted))
         .and_then(|value| range.check(value))

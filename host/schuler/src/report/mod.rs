@@ -77,7 +77,8 @@ fn heading(flight: &Flight) -> String {
     )
 }
 
-fn norm(vector: [f64; 3]) -> f64 {
+/// The length of a vector of any size.
+pub fn norm(vector: [f64; 3]) -> f64 {
     // Scaled, so that no square under- or overflows.
     let scale = largest(vector);
     if scale == 0.0 || !scale.is_finite() {

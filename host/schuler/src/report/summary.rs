@@ -63,7 +63,7 @@ struct Theory {
 
 /// Signed or largest components; the other three are norms.
 #[derive(Serialize)]
-struct Components {
+pub struct Components {
     north_m: f64,
     east_m: f64,
     down_m: f64,
@@ -80,13 +80,14 @@ struct Time {
 }
 
 impl Components {
-    fn new(nine: &Nine, [position_m, velocity_m_s, attitude_arcsec]: [f64; 3]) -> Self {
+    /// Of components and norms.
+    pub fn new(nine: &Nine, [position_m, velocity_m_s, attitude_arcsec]: [f64; 3]) -> Self {
         let [north_m, east_m, down_m] = nine.position_m;
         Self { north_m, east_m, down_m, position_m, velocity_m_s, attitude_arcsec }
     }
 
     /// Of standard deviations the norm is the root of the covariance's trace.
-    fn with_norms(nine: &Nine) -> Self {
+    pub fn with_norms(nine: &Nine) -> Self {
         let norms = [nine.position_m, nine.velocity_m_s, nine.attitude_arcsec].map(norm);
         Self::new(nine, norms)
     }
@@ -142,8 +143,13 @@ impl<'a> Summary<'a> {
 /// The summary as JSON, which names the files that belong together. Numbers round-trip; one that is not
 /// finite becomes `null`.
 pub fn json(flight: &Flight, files: &[&str]) -> String {
-    let mut text = serde_json::to_string_pretty(&Summary::new(flight, files))
-        .expect("strings and numbers have a JSON form");
+    text(&Summary::new(flight, files))
+}
+
+/// Any summary as JSON.
+pub fn text(summary: &impl Serialize) -> String {
+    let mut text =
+        serde_json::to_string_pretty(summary).expect("strings and numbers have a JSON form");
     text.push('\n');
     text
 }

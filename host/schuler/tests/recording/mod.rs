@@ -10,6 +10,7 @@ mod navigation;
 mod output;
 mod psins;
 mod rates;
+mod reference;
 mod replay;
 mod stamps;
 mod truth;

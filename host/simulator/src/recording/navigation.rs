@@ -25,6 +25,16 @@ pub const COLUMNS: [&str; 10] = [
     "yaw_deg",
 ];
 
+/// What each of them may be.
+pub const RANGES: [Range; 10] = {
+    let angle = Range::from_to(-360.0, 360.0, "degrees, from -360 to 360");
+    let speed = Range::from_to(-1e5, 1e5, "m/s, from -1e5 to 1e5");
+    // As far down as up: navigation goes on, and so does what it has printed.
+    let altitude = Range::from_to(-1e6, 1e6, "metres, from -1e6 to 1e6");
+    let latitude = Range::from_to(-90.0, 90.0, "degrees, from -90 to 90");
+    [Range::FINITE, latitude, angle, altitude, speed, speed, speed, angle, angle, angle]
+};
+
 /// Nearer to ±90°, a pitch leaves roll and yaw without their last digits: its cosine.
 const LEAST_COSINE: f64 = 1e-6;
 
@@ -87,32 +97,28 @@ impl NavigationRow {
 
     /// From the text of an `initial.toml`; `file` names it in errors.
     pub fn parse(file: &str, text: &str) -> Result<Self, InputError> {
-        let latitude = Range::from_to(-90.0, 90.0, "degrees, from -90 to 90");
-        let angle = Range::from_to(-360.0, 360.0, "degrees, from -360 to 360");
-        // As far down as up: navigation goes on, and so does what it has printed.
-        let altitude = Range::from_to(-1e6, 1e6, "metres, from -1e6 to 1e6");
-        let speed = Range::from_to(-1e5, 1e5, "m/s, from -1e5 to 1e5");
         let document = Document::parse(file, text)?;
         let root = document.root(&COLUMNS)?;
-        let angle = |key| Ok(root.number(key, &angle)? * DEGREE);
-        Ok(Self {
-            time_s: root.number("time_s", &Range::FINITE)?,
+        let mut numbers = [0.0; COLUMNS.len()];
+        for (number, (key, range)) in numbers.iter_mut().zip(COLUMNS.iter().zip(&RANGES)) {
+            *number = root.number(key, range)?;
+        }
+        Ok(Self::of_columns(&numbers))
+    }
+
+    /// From the numbers of a row, column by column.
+    pub fn of_columns(numbers: &[f64; COLUMNS.len()]) -> Self {
+        let [time_s, latitude, longitude, altitude, north, east, down, roll, pitch, yaw] = *numbers;
+        Self {
+            time_s,
             position: Geodetic {
-                latitude: root.number("latitude_deg", &latitude)? * DEGREE,
-                longitude: angle("longitude_deg")?,
-                altitude: root.number("altitude_m", &altitude)?,
+                latitude: latitude * DEGREE,
+                longitude: longitude * DEGREE,
+                altitude,
             },
-            velocity_ned: Vector::new(
-                root.number("north_m_s", &speed)?,
-                root.number("east_m_s", &speed)?,
-                root.number("down_m_s", &speed)?,
-            ),
-            attitude: Euler {
-                roll: angle("roll_deg")?,
-                pitch: angle("pitch_deg")?,
-                yaw: angle("yaw_deg")?,
-            },
-        })
+            velocity_ned: Vector::new(north, east, down),
+            attitude: Euler { roll: roll * DEGREE, pitch: pitch * DEGREE, yaw: yaw * DEGREE },
+        }
     }
 
     /// The text of an `initial.toml`, below a line about what it is.

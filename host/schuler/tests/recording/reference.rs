@@ -93,7 +93,7 @@ fn drift_is_found_at_the_reference_s_own_times() {
 
 #[test]
 fn late_stamps_are_told_and_taken_out_when_asked() {
-    let flight = Emulated::new("manoeuvre --duration 60");
+    let flight = Emulated::new("manoeuvre --duration 90");
     for lag_s in [0.0837, -3.21, 18.0, 0.0] {
         flight.late("late.csv", lag_s);
         let plain = flight.drift("late.csv", &[]).unwrap_or_else(|e| panic!("{e}"));

@@ -249,6 +249,10 @@ fn a_vertical_is_held_to_what_is_known() {
     let truth = climb.at("truth.csv");
     let held = down(&["--height", text(&truth)]);
     assert!(held.abs() < 0.01, "{held} m");
+    let drift = rows(&climb.at("o/drift.csv"));
+    let sinks = largest(&drift, 6..7);
+    // A window of twelve samples at 0.098 m/s².
+    assert!(sinks < 0.07, "{sinks} m/s");
     // 120 m below, at the end.
     near(down(&["--height", "100"]), 120.0, 0.01);
     near(down(&["--vertical", "held"]), 120.0, 0.01);

@@ -5,6 +5,9 @@ use schuler_simulator::flight::Nine;
 use schuler_simulator::number::exact;
 use schuler_simulator::output;
 
+/// The file's name.
+pub const NAME: &str = "ensemble.csv";
+
 /// The columns of `ensemble.csv`, in the unit that the component's name carries. The χ² of the mean has
 /// one degree of freedom, that of the standard deviation one less than there are runs; `_probability`
 /// is how often chance alone lies that far out. They are empty where theory sees nothing scatter, and so is what it expects where its model has ended.

@@ -4,12 +4,14 @@ mod audit;
 mod every;
 mod hil;
 mod options;
+mod scenes;
 mod start;
 
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use every::{Every, Sieve};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, NavigatorOptions, Window};
+pub use scenes::{ScenesArgs, TrajectoryArgs};
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use schuler_simulator::input::{Complaint, InputError};
@@ -48,6 +50,8 @@ pub enum Command {
     Emulate(EmulateArgs),
     /// Navigate a recorded stream
     Replay(ReplayArgs),
+    /// Describe a scene's flight, and write its path for other tools
+    Trajectory(TrajectoryArgs),
     /// Measure run time against error
     Frontier(FrontierArgs),
     /// Run the table of numerical stability, each row against its bound
@@ -62,9 +66,8 @@ pub enum Command {
     /// Serve as the target of `hil --device twin`
     #[command(hide = true, after_help = "Example:\n  schuler twin")]
     Twin,
-    /// List the built-in scenes
-    #[command(after_help = "Example:\n  schuler scenes")]
-    Scenes,
+    /// List the built-in scenes, print one, or every key of a scene
+    Scenes(ScenesArgs),
 }
 
 /// Options of `run`.

@@ -1,5 +1,6 @@
 //! TOML read key by key, so that every error message has its line.
 
+use super::key::{Key, Table};
 use super::{Complaint, InputError, Range};
 use std::ops::Range as Span;
 use toml::de::{DeTable, DeValue};
@@ -132,6 +133,34 @@ impl<'a> Section<'a> {
         self.get(key).map_or(Ok(absent), |value| value.number(range))
     }
 
+    /// The number of a key, if it is there.
+    pub fn read(&self, key: &Key) -> Result<Option<f64>, InputError> {
+        self.get(key.name).map(|value| value.number(&key.range())).transpose()
+    }
+
+    /// The number of a key that must be there.
+    pub fn need(&self, key: &Key) -> Result<f64, InputError> {
+        self.number(key.name, &key.range())
+    }
+
+    /// A table of a table's keys, if it is there.
+    pub fn table(&self, key: &str, table: &Table) -> Result<Option<Self>, InputError> {
+        self.section(key, &table.names())
+    }
+
+    /// A complaint about the whole.
+    pub fn error(&self, complaint: Complaint) -> InputError {
+        self.source.error(self.start, self.prefix.trim_end_matches('.'), complaint)
+    }
+
+    /// A complaint about one of its keys, where that stands if it is there.
+    pub fn blame(&self, key: &str, complaint: Complaint) -> InputError {
+        match self.get(key) {
+            Some(value) => value.error(complaint),
+            None => self.source.error(self.start, &self.name(key), complaint),
+        }
+    }
+
     /// A table with these keys, if it is there.
     pub fn section(&self, key: &str, known: &[&str]) -> Result<Option<Self>, InputError> {
         self.get(key).map(|value| value.section(known)).transpose()
@@ -189,6 +218,14 @@ impl<'a> Value<'a> {
         match u64::from_str_radix(n.as_str(), n.radix()) {
             Ok(n) if (least..=most).contains(&n) => Ok(n),
             _ => Err(self.error(Complaint::new(format!("{n} is out of range"), accepted))),
+        }
+    }
+
+    /// True or false.
+    pub fn truth(&self, accepted: &str) -> Result<bool, InputError> {
+        match self.value {
+            DeValue::Boolean(truth) => Ok(*truth),
+            _ => Err(self.mismatch(accepted)),
         }
     }
 

@@ -4,6 +4,7 @@
 
 pub mod build;
 pub mod builtin;
+pub mod keys;
 pub mod limits;
 pub mod parse;
 pub mod terms;
@@ -106,6 +107,34 @@ pub struct Trajectory {
     pub longitude: Channel,
     /// Altitude h.
     pub altitude: Channel,
+    /// Where the unit sits in what moves so.
+    pub mounting: Mounting,
+}
+
+/// Where the unit sits in its vehicle; all of it 0 is the unit itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mounting {
+    /// From the reference point of the path, forward, right, down, m.
+    pub lever_arm_m: [f64; 3],
+    /// What shakes it.
+    pub vibration: Vibration,
+}
+
+/// What shakes a unit in its vehicle: angles in rad, added to its attitude, and lengths in m, added to its lever.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Vibration {
+    /// Roll.
+    pub roll: Channel,
+    /// Pitch.
+    pub pitch: Channel,
+    /// Yaw.
+    pub yaw: Channel,
+    /// Forward.
+    pub forward: Channel,
+    /// To the right.
+    pub right: Channel,
+    /// Down.
+    pub down: Channel,
 }
 
 /// offset + rate·t + Σ harmonics.

@@ -3,6 +3,7 @@
 mod sensors;
 mod trajectory;
 
+use super::keys::general as keys;
 use super::{
     Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Vertical, WindowShape,
     limits,
@@ -14,28 +15,13 @@ use crate::navigator;
 use crate::units::ARCSECOND;
 use std::path::Path;
 
-const KEYS: &[&str] = &[
-    "title",
-    "duration_s",
-    "rate_hz",
-    "seed",
-    "trajectory",
-    "gyro",
-    "accelerometer",
-    "initial_error",
-    "navigator",
-    "link",
-];
-const NAVIGATOR: &[&str] = &["frame", "precision", "algorithm", "window", "vertical", "gap"];
 /// More samples than any window spans.
 const MOST_SAMPLES: u64 = 1000;
-const WINDOW: &[&str] = &["history", "block", "lookahead"];
-const LINK: &[&str] = &["loss", "jitter_s"];
 
 /// A scene from its text; `file` names it in errors, and its stem is the scene's name.
 pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     let document = Document::parse(file, text)?;
-    let root = document.root(KEYS)?;
+    let root = document.root(&keys::ROOT.names())?;
     let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let title = root.get("title").map(|v| v.text("text")).transpose()?;
     let scene = Scene {
@@ -44,7 +30,7 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
         duration_s: root.number("duration_s", &limits::DURATION_S)?,
         rate_hz: root.number("rate_hz", &limits::RATE_HZ)?,
         seed: root.get("seed").map_or(Ok(1), |v| v.integer(0, u64::MAX))?,
-        trajectory: trajectory::read(&root)?,
+        trajectory: trajectory::read(&root, file)?,
         gyro: sensors::gyro(&root)?,
         accelerometer: sensors::accelerometer(&root)?,
         initial_error: initial_error(&root)?,
@@ -77,7 +63,7 @@ fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
 
 fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {
     let default = Navigator::default();
-    let Some(section) = root.section("navigator", NAVIGATOR)? else { return Ok(default) };
+    let Some(section) = root.table("navigator", &keys::NAVIGATOR)? else { return Ok(default) };
     fn choice<T: Copy>(
         section: &Section<'_>,
         key: &str,
@@ -104,14 +90,14 @@ fn window(value: &Value<'_>) -> Result<Option<WindowShape>, InputError> {
         let complaint = Complaint::new("is neither text nor a table", limits::windows());
         return Err(value.error(complaint));
     }
-    let section = value.section(WINDOW)?;
+    let section = value.section(&keys::WINDOW.names())?;
     let get = |key| section.require(key, "a number of samples")?.integer(0, MOST_SAMPLES);
     let shape = limits::window(get("history")?, get("block")?, get("lookahead")?);
     shape.map(Some).map_err(|complaint| value.error(complaint))
 }
 
 fn link(root: &Section<'_>) -> Result<Link, InputError> {
-    let Some(section) = root.section("link", LINK)? else { return Ok(Link::default()) };
+    let Some(section) = root.table("link", &keys::LINK)? else { return Ok(Link::default()) };
     Ok(Link {
         loss: section.number_or("loss", 0.0, &limits::LOSS)?,
         jitter_s: section.number_or("jitter_s", 0.0, &Range::NOT_NEGATIVE)?,

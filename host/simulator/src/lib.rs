@@ -8,7 +8,7 @@
 //! | [`scene`] | what flies, what the sensors get wrong, how it is navigated |
 //! | [`course`], [`source`], [`emulator`] | motion, truth, perfect increments, sensors |
 //! | [`navigator`], [`lanes`], [`ensemble`], [`twin`] | the core's navigators: one, many abreast, a target's copy |
-//! | [`plan`], [`timing`] | the window for a scene, and what a stage costs |
+//! | [`plan`], [`lively`], [`timing`] | the window for a scene, and what a stage costs |
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
@@ -20,6 +20,7 @@ pub mod flight;
 pub mod high;
 pub mod input;
 pub mod lanes;
+pub mod lively;
 pub mod navigator;
 pub mod number;
 pub mod output;

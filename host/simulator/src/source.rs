@@ -2,6 +2,7 @@
 
 pub use crate::course::Course;
 use crate::emulator::{self, SceneEmulator};
+use crate::lively;
 use crate::scene::Scene;
 use schuler::imu::{self, Quadrature};
 use schuler::math::compensated::Pair;
@@ -60,7 +61,11 @@ impl Source {
         let course = scene.trajectory.build().map_err(SourceError::Trajectory)?;
         let interval_s = 1.0 / scene.rate_hz;
         let bandwidth = course.bound().bandwidth;
-        let planned = Quadrature::plan(bandwidth, interval_s);
+        let by_trial = course
+            .path()
+            .filter(|_| bandwidth > 0.0)
+            .and_then(|path| lively::quadrature(&course, path, scene.rate_hz, scene.samples()));
+        let planned = by_trial.unwrap_or_else(|| Quadrature::plan(bandwidth, interval_s));
         let quadrature = if force_all { planned.finest() } else { planned };
         let perfect = scene.gyro == Default::default() && scene.accelerometer == Default::default();
         let emulator = if perfect && !force_all {

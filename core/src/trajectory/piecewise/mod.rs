@@ -8,6 +8,7 @@
 //! | [`piece`] | one piece, and the order of its channels |
 //! | [`place`] | normal and position as power series |
 //! | `axes` | attitude by a rule: [`Attitude`] |
+//! | [`stream`] | a few pieces at a time |
 //! | `bound` | bounds of a motion, from its pieces |
 //!
 //! ```
@@ -28,6 +29,7 @@ mod axes;
 mod bound;
 pub mod piece;
 pub mod place;
+pub mod stream;
 
 pub use axes::Attitude;
 

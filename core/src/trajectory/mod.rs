@@ -20,14 +20,18 @@
 //! | [`series`] | truncated power series |
 //! | [`piecewise`] | any path: polynomials of the normal, the height and the attitude |
 //! | [`carried`], `displaced` | a lever arm and vibration on any motion |
+//! | [`hermite`] | the polynomial between two ends |
+//! | [`segment`] | a path by manoeuvres |
 
 pub mod carried;
 mod displaced;
 mod geographic;
 pub mod harmonic;
+pub mod hermite;
 pub mod kinematics;
 mod motion;
 pub mod piecewise;
+pub mod segment;
 pub mod series;
 
 pub use motion::{Jet, Motion, wrap};

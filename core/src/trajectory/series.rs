@@ -81,34 +81,56 @@ impl<const N: usize> Series<N> {
     /// x^(−½); the value must be positive.
     #[inline]
     pub fn reciprocal_root(self) -> Self {
-        // k = g^p:  g k' = p g' k,  k_n = Σ_{j=1..n} (p j − (n − j)) g_j k_{n−j}/(n g₀),  p = −½
-        let value = self.value();
-        let mut root = Self::constant(1.0 / Real::sqrt(value));
-        for n in 1..N {
-            let mut sum = 0.0;
-            for j in 1..=n {
-                let weight = -0.5 * j as f64 - (n - j) as f64;
-                sum += weight * self.coefficient(j) * root.coefficient(n - j);
-            }
-            root.set(n, sum / (n as f64 * value));
+        let mut root = Self::ZERO;
+        for n in 0..N {
+            root.set(n, self.root_term(&root, n));
         }
         root
+    }
+
+    /// Coefficient `n` of x^(−½) from those before it.
+    #[inline]
+    pub(crate) fn root_term(&self, root: &Self, n: usize) -> f64 {
+        // k = g^p:  g k' = p g' k,  k_n = Σ_{j=1..n} (p j − (n − j)) g_j k_{n−j}/(n g₀),  p = −½
+        let value = self.value();
+        if n == 0 {
+            return 1.0 / Real::sqrt(value);
+        }
+        let mut sum = 0.0;
+        for j in 1..=n {
+            let weight = -0.5 * j as f64 - (n - j) as f64;
+            sum += weight * self.coefficient(j) * root.coefficient(n - j);
+        }
+        sum / (n as f64 * value)
+    }
+
+    /// Coefficient `n` of a product.
+    #[inline(always)]
+    pub(crate) fn product_term(&self, b: &Self, n: usize) -> f64 {
+        // (a b)_n = Σ_{i=0..n} a_i b_{n−i}
+        (0..=n).fold(0.0, |sum, i| sum + self.coefficient(i) * b.coefficient(n - i))
     }
 
     /// 1/x; the value must not be 0.
     #[inline]
     pub fn reciprocal(self) -> Self {
-        // x r = 1:  r_n = −r₀ Σ_{j=1..n} x_j r_{n−j}
-        let first = 1.0 / self.value();
-        let mut inverse = Self::constant(first);
-        for n in 1..N {
-            let mut sum = 0.0;
-            for j in 1..=n {
-                sum += self.coefficient(j) * inverse.coefficient(n - j);
-            }
-            inverse.set(n, -sum * first);
+        let mut inverse = Self::ZERO;
+        for n in 0..N {
+            inverse.set(n, self.inverse_term(&inverse, n));
         }
         inverse
+    }
+
+    /// Coefficient `n` of 1/x from those before it.
+    #[inline]
+    pub(crate) fn inverse_term(&self, inverse: &Self, n: usize) -> f64 {
+        // x r = 1:  r_n = −r₀ Σ_{j=1..n} x_j r_{n−j}
+        if n == 0 {
+            return 1.0 / self.value();
+        }
+        let sum =
+            (1..=n).fold(0.0, |sum, j| sum + self.coefficient(j) * inverse.coefficient(n - j));
+        -sum * inverse.value()
     }
 
     /// Sine and cosine.
@@ -138,6 +160,21 @@ impl<const N: usize> Series<N> {
     #[inline]
     pub fn after(&self, time_s: f64) -> f64 {
         self.0.iter().rev().fold(0.0, |sum, c| sum * time_s + c)
+    }
+
+    /// What a time, s, adds to the value.
+    #[inline]
+    pub fn growth(&self, time_s: f64) -> f64 {
+        self.0.iter().skip(1).rev().fold(0.0, |sum, c| sum * time_s + c) * time_s
+    }
+
+    /// The integral from the instant on; the last coefficient of the function has no place in it.
+    pub fn integral(&self) -> Self {
+        let mut integral = Self::ZERO;
+        for n in 1..N {
+            integral.set(n, self.coefficient(n - 1) / n as f64);
+        }
+        integral
     }
 
     /// Sets the coefficient of a power below `N`.
@@ -183,13 +220,6 @@ impl<const N: usize> Mul for Series<N> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
-        // (a b)_n = Σ_{i=0..n} a_i b_{n−i}
-        let mut product = Self::ZERO;
-        for (n, place) in product.0.iter_mut().enumerate() {
-            for i in 0..=n {
-                *place += self.coefficient(i) * b.coefficient(n - i);
-            }
-        }
-        product
+        Self(core::array::from_fn(|n| self.product_term(&b, n)))
     }
 }

@@ -22,6 +22,7 @@
 //! | [`carried`], `displaced` | a lever arm and vibration on any motion |
 //! | [`hermite`] | the polynomial between two ends |
 //! | [`segment`] | a path by manoeuvres |
+//! | [`spline`] | splines through points, or near them |
 
 pub mod carried;
 mod displaced;
@@ -33,6 +34,7 @@ mod motion;
 pub mod piecewise;
 pub mod segment;
 pub mod series;
+pub mod spline;
 
 pub use motion::{Jet, Motion, wrap};
 

@@ -7,6 +7,7 @@ pub mod builtin;
 pub mod keys;
 pub mod limits;
 pub mod parse;
+pub mod route;
 pub mod terms;
 pub mod window;
 
@@ -18,7 +19,9 @@ pub use schuler::strapdown::block::shape::WindowShape;
 
 use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
+use route::Route;
 use std::path;
+use std::sync::Arc;
 
 /// Everything that one run needs to know.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,6 +98,8 @@ pub fn blame(name_or_path: &str, key: &str, complaint: Complaint) -> InputError 
 pub struct Trajectory {
     /// The path that is flown; the channels are not asked then.
     pub path: Option<Path>,
+    /// What that was made from.
+    pub route: Option<Arc<Route>>,
     /// Roll γ.
     pub roll: Channel,
     /// Pitch θ.

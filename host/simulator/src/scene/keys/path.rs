@@ -36,13 +36,16 @@ table! {
     CLIMB = "climb_m": Number(Range::from_to(-1e6, 1e6, "metres, from -1e6 to 1e6")), "another", "climbs so far; below 0 it descends";
     CLIMB_RATE = "climb_m_s": Number(SPEED_RANGE), "must be there with climb_m", "vertical speed of the climb";
     TURN = "turn_deg": Number(DEGREES), "another", "turns by so much, to the right; below 0 to the left";
-    COURSE = "course_deg": Number(TURN_RANGE), "another", "turns to this course, the shorter way";
-    BANK = "bank_deg": Number(BANK_RANGE), "radius_m in its place", "bank of a coordinated turn, which sets its radius";
+    COURSE = "course_deg": Number(TURN_RANGE), "another", "turns to this course";
+    BANK = "bank_deg": Number(BANK_RANGE), "radius_m in its place", "bank of the turn, which sets its radius";
     RADIUS = "radius_m": Number(METRES), "bank_deg in its place", "radius of a turn";
-    STRAIGHT_TIME = "straight_s": Number(SECONDS), "another", "goes straight on for a time";
+    STRAIGHT_TIME = "straight_s": Number(SECONDS), "another", "goes straight on for a time at its speed";
     STRAIGHT_LENGTH = "straight_m": Number(METRES), "another", "goes straight on for a distance";
     ROTATE = "rotate_deg": Said("[roll, pitch, yaw], degrees"), "another", "turns the body by so much on its path or where it stands";
-    BLEND = "blend_s": Number(SECONDS), "4", "time of the smooth change at the beginning and at the end; of accelerate_to_m_s and rotate_deg the whole";
+    WAY = "way": Said("\"shorter\", \"left\", \"right\""), "\"shorter\"", "which way round it turns to a course";
+    ACCELERATION = "acceleration_m_s2": Number(Range::above(0.0, 1e5, "m/s², above 0 and at most 1e5")), "blend_s in its place", "the largest acceleration of accelerate_to_m_s";
+    BLEND = "blend_s": Number(SECONDS), "4; with accelerate_to_m_s it or acceleration_m_s2 must be there",
+        "time of the smooth change at the beginning and at the end; of accelerate_to_m_s and rotate_deg the whole";
     LINE = "line": Said("\"geodesic\", \"rhumb\""), "\"geodesic\"", "what is straight";
 }
 

@@ -5,7 +5,8 @@ mod trajectory;
 
 use super::keys::general as keys;
 use super::{
-    Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Vertical, WindowShape,
+    Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Trajectory,
+    Vertical, WindowShape,
     limits,
 };
 use crate::flight::Nine;
@@ -24,13 +25,14 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     let root = document.root(&keys::ROOT.names())?;
     let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let title = root.get("title").map(|v| v.text("text")).transpose()?;
+    let trajectory = trajectory::read(&root, file)?;
     let scene = Scene {
         title: title.unwrap_or(&name).to_owned(),
         name,
-        duration_s: root.number("duration_s", &limits::DURATION_S)?,
+        duration_s: duration_s(&root, &trajectory)?,
         rate_hz: root.number("rate_hz", &limits::RATE_HZ)?,
         seed: root.get("seed").map_or(Ok(1), |v| v.integer(0, u64::MAX))?,
-        trajectory: trajectory::read(&root, file)?,
+        trajectory,
         gyro: sensors::gyro(&root)?,
         accelerometer: sensors::accelerometer(&root)?,
         initial_error: initial_error(&root)?,
@@ -41,6 +43,15 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     navigator::check(&scene.navigator)
         .map_err(|unavailable| document.error(unavailable.key(), unavailable.complaint()))?;
     Ok(scene)
+}
+
+/// The length that is given, or that of the path.
+fn duration_s(root: &Section<'_>, trajectory: &Trajectory) -> Result<f64, InputError> {
+    match (root.read(&keys::DURATION)?, &trajectory.path) {
+        (Some(duration_s), _) => Ok(duration_s),
+        (None, Some(path)) => Ok(path.end_s()),
+        (None, None) => root.need(&keys::DURATION),
+    }
 }
 
 fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {

@@ -22,7 +22,9 @@
 //! | [`carried`], `displaced` | a lever arm and vibration on any motion |
 //! | [`hermite`] | the polynomial between two ends |
 //! | [`segment`] | a path by manoeuvres |
+//! | [`log`] | paths by logged positions and attitudes |
 //! | [`spline`] | splines through points, or near them |
+//! | [`waypoints`] | paths by way-points |
 
 pub mod carried;
 mod displaced;
@@ -30,11 +32,13 @@ mod geographic;
 pub mod harmonic;
 pub mod hermite;
 pub mod kinematics;
+pub mod log;
 mod motion;
 pub mod piecewise;
 pub mod segment;
 pub mod series;
 pub mod spline;
+pub mod waypoints;
 
 pub use motion::{Jet, Motion, wrap};
 

@@ -39,6 +39,11 @@ impl<'a> Knots<'a> {
         Self { sites, continued: true }
     }
 
+    /// Whether the first and the last interval go on.
+    pub fn is_continued(&self) -> bool {
+        self.continued
+    }
+
     /// Times of the joints, s.
     pub fn sites(&self) -> &'a [f64] {
         self.sites

@@ -19,7 +19,7 @@
 //! let piece = coefficients(Knots::eightfold(&sites), 1, 2.0, &control).unwrap();
 //! // t² about t = 2: 4 + 4u + u².
 //! for (got, expected) in piece.iter().zip([4.0, 4.0, 1.0, 0.0]) {
-//!     assert!((got[0].hi - expected).abs() < 1e-13);
+//!     assert!((got[0].hi - expected).abs() < 1e-12);
 //! }
 //! # Ok::<(), schuler::trajectory::spline::SplineError>(())
 //! ```
@@ -34,6 +34,7 @@
 //! | [`normal`] | least squares with that penalty, by Cholesky's factors |
 //! | [`smooth`] | the smoothest spline that leaves a given residual |
 //! | [`path`] | splines of normal, height and attitude as pieces |
+//! | [`place`] | places as normal and height, and how fast a piece moves |
 
 pub mod band;
 pub mod basis;
@@ -42,6 +43,7 @@ pub mod local;
 pub mod normal;
 pub mod path;
 pub mod penalty;
+pub mod place;
 pub mod smooth;
 
 /// Degree of every spline.

@@ -9,7 +9,8 @@
 //! let (mut band, mut control) = ([[0.0; BAND]; 2 + EXTRA], [[0.0; 4]; 2 + EXTRA]);
 //! let points = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 10.0]];
 //! interpolate(&sites, points, Ends::AtRest, &mut band, &mut control)?;
-//! let path = Path::new(Spline { knots: Knots::eightfold(&sites), control: &control }, None)?;
+//! let spline = Spline { knots: Knots::eightfold(&sites), control: &control };
+//! let path = Path::new(spline, spline, None)?;
 //! let piece = path.piece(0).unwrap();
 //! assert!((piece.channel(3, 2.0) - 5.0).abs() < 1e-14);
 //! assert_eq!(path.pieces(), 1);
@@ -31,37 +32,51 @@ pub struct Spline<'a> {
     pub control: &'a [[f64; 4]],
 }
 
+impl Spline<'_> {
+    /// Whether both are the same in memory.
+    fn is(&self, other: &Self) -> bool {
+        let alike = self.knots.is_continued() == other.knots.is_continued();
+        alike && core::ptr::eq(self.control, other.control)
+    }
+}
+
 /// A path by splines. Each piece is made when asked for, so that a microcontroller needs no room for all of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Path<'a> {
-    position: Spline<'a>,
+    level: Spline<'a>,
+    height: Spline<'a>,
     attitude: Option<Spline<'a>>,
 }
 
 impl<'a> Path<'a> {
-    /// From the spline of normal and height, and that of the attitude's quaternion (w, x, y, z; body → Earth-fixed axes)
-    /// over the same sites, if the path has one of its own.
+    /// From splines of n̂ and h, of which the one is read for n̂ and the other for h, and one of the attitude's
+    /// quaternion (w, x, y, z; body → Earth-fixed axes), if the path has its own. All are over the same sites.
     ///
     /// # Errors
     ///
     /// [`SplineError`] if the sites do not increase, or there are too few control points.
-    pub fn new(position: Spline<'a>, attitude: Option<Spline<'a>>) -> Result<Self, SplineError> {
-        let sites = position.knots.sites();
+    pub fn new(
+        level: Spline<'a>,
+        height: Spline<'a>,
+        attitude: Option<Spline<'a>>,
+    ) -> Result<Self, SplineError> {
+        let sites = level.knots.sites();
         check_sites(sites)?;
         let needed = sites.len() + EXTRA;
-        let short = |spline: Spline<'_>| spline.control.len() < needed;
-        if short(position) || attitude.is_some_and(short) {
-            return Err(SplineError::NoRoom { needed });
+        for spline in [Some(level), Some(height), attitude].into_iter().flatten() {
+            if spline.control.len() < needed {
+                return Err(SplineError::NoRoom { needed });
+            }
+            if spline.knots.sites() != sites {
+                return Err(SplineError::Count { needed: sites.len() });
+            }
         }
-        if attitude.is_some_and(|attitude| attitude.knots.sites() != sites) {
-            return Err(SplineError::Count { needed: sites.len() });
-        }
-        Ok(Self { position, attitude })
+        Ok(Self { level, height, attitude })
     }
 
     /// Times of the joints, s.
     pub fn sites(&self) -> &'a [f64] {
-        self.position.knots.sites()
+        self.level.knots.sites()
     }
 
     /// Number of pieces.
@@ -80,7 +95,13 @@ impl<'a> Path<'a> {
         let mut piece = Piece::new(*sites.get(index)?, *sites.get(index + 1)?);
         let of =
             |spline: Spline<'_>| coefficients(spline.knots, index, piece.middle_s, spline.control);
-        let position = of(self.position)?;
+        let mut position = of(self.level)?;
+        if !self.height.is(&self.level) {
+            let height = of(self.height)?;
+            for ([.., place], [.., h]) in position.iter_mut().zip(height) {
+                *place = h;
+            }
+        }
         let attitude = match self.attitude {
             Some(spline) => of(spline)?,
             None => [[Pair::default(); 4]; TERMS],

@@ -5,7 +5,6 @@ use schuler::drift::compare::drift;
 use schuler::imu::{Quadrature, instant};
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
-use schuler::prelude::*;
 use schuler::solution::EarthFixedSolution;
 use schuler::trajectory::Trajectory;
 use schuler::trajectory::carried::{Carried, Mount};

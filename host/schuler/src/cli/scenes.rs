@@ -1,5 +1,6 @@
 //! Options of `scenes` and `trajectory`.
 
+use super::apart::{self, Written};
 use super::options::{self, FlightOptions};
 use clap::Args;
 use schuler_simulator::input::InputError;
@@ -42,11 +43,15 @@ impl TrajectoryArgs {
         let mut scene = scene::load(name)?;
         let length = FlightOptions { duration: self.duration, ..FlightOptions::default() };
         length.apply(&mut scene)?;
-        if let Some(out) = &self.out
-            && builtin::scene(name).is_none()
-        {
-            super::spare(out, "the scene is read from", Path::new(name))?;
-        }
+        let log = scene.trajectory.route.as_ref().and_then(|route| route.from.file());
+        let read: Vec<_> = builtin::scene(name)
+            .is_none()
+            .then_some(("the scene is read from", Path::new(name)))
+            .into_iter()
+            .chain(log.map(|log| ("the scene's log is read from", Path::new(log))))
+            .collect();
+        let written = self.out.as_deref().map(|out| Written::named("--out", out));
+        apart::check(written.as_slice(), &read)?;
         Ok(scene)
     }
 }

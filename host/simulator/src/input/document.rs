@@ -261,6 +261,11 @@ impl<'a> Value<'a> {
         self.value.is_table()
     }
 
+    /// Whether it is a list.
+    pub fn is_list(&self) -> bool {
+        self.value.is_array()
+    }
+
     /// Whether it is text.
     pub fn is_text(&self) -> bool {
         self.value.is_str()

@@ -4,6 +4,7 @@ use crate::course::{Path, Reference};
 use schuler::earth::Geodetic;
 use schuler::math::compensated::Pair;
 use schuler::trajectory::Trajectory;
+use schuler::trajectory::log::Outcome;
 use schuler::trajectory::segment::attitude::AttitudeRule;
 use schuler::trajectory::segment::compile::Start;
 use schuler::trajectory::segment::compile::segment::Segment;
@@ -43,14 +44,24 @@ pub enum Origin {
     },
     /// A log.
     Log {
-        /// Its file, as the scene has it.
+        /// Its file.
         file: String,
         /// Its rows.
         rows: usize,
+        /// How it was smoothed.
+        outcome: Outcome,
     },
 }
 
 impl Origin {
+    /// The file that it was read from, beside the scene's.
+    pub fn file(&self) -> Option<&str> {
+        match self {
+            Self::Log { file, .. } => Some(file),
+            _ => None,
+        }
+    }
+
     /// The key of a scene that it stands under.
     pub fn key(&self) -> &'static str {
         match self {

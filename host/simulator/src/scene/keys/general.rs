@@ -26,7 +26,7 @@ table! {
     FRAME = "frame": Said("\"local-level\", \"earth-fixed\""), "\"local-level\"", "axes of the mechanization";
     PRECISION = "precision": Said("\"f64\", \"f32\", \"f32x2\""), "\"f64\"", "arithmetic of the navigator";
     ALGORITHM = "algorithm": Said("\"taylor\", \"textbook\""), "\"taylor\"", "method of integration";
-    SHAPE = "window": Said("\"auto\", or a table"), "\"auto\": the plan chooses", "the samples that taylor looks at";
+    SHAPE = "window": Said("\"auto\", \"H,B,A\" as in \"0,4,0\", or a table"), "\"auto\": the plan chooses", "the samples that taylor looks at";
     VERTICAL = "vertical": Said("\"free\", \"held\""), "\"free\"", "held: height and vertical velocity come from the truth";
     GAP = "gap": Said("\"error\", \"bridge\""), "\"error\"", "what a missing sample does";
 }

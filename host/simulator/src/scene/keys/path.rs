@@ -57,8 +57,7 @@ table! {
     WAYPOINT_BANK = "bank_deg": Number(BANK_RANGE), "25", "of fly-by: the bank of the turns";
     WAYPOINT_BLEND = "blend_s": Number(SECONDS), "4", "of fly-by: the time in which the bank is reached";
     WAYPOINT_SPEED = "speed_m_s": Number(Range::above(0.0, 1e5, "m/s, above 0 and at most 1e5")), "of the points", "the speed at all points that have none, nor a time";
-    ENDS = "ends": Said("\"natural\", \"at-rest\""), "\"natural\"", "of through: how the path begins and ends";
-    LIST = "points": Said("a list of tables, or the name of a file"), "", "the points, in their order";
+    LIST = "points": Said("a list of tables"), "", "the points, in their order";
     NEAR_ORIGIN = "near_origin": Said("true, false"), "false", "whether all points do lie within 1.6° of the equator and 3.2° of Greenwich: else they are taken for radians, and refused";
 }
 
@@ -79,6 +78,6 @@ table! {
     FILE = "file": Said("the name of a file"), "", "the file, relative to the scene's";
     NOISE = "noise_m": Said("metres, from 0 up, or [horizontal, vertical]"), "0: the path goes through every row", "rms noise of its positions, which is smoothed away";
     NOISE_ANGLE = "noise_deg": Number(Range::from_to(0.0, 45.0, "degrees, from 0 to 45")), "0", "rms noise of its angles";
-    GAP = "max_gap_s": Number(SECONDS), "10 times the median step", "a longer pause between rows is an error";
+    GAP = "max_gap_s": Number(SECONDS), "10 times the median of the steps", "a longer pause between rows is an error";
     LOG_NEAR_ORIGIN = "near_origin": Said("true, false"), "false", "as in way-points";
 }

@@ -1,9 +1,12 @@
 //! The `[trajectory]` table: exactly one of channels, segments, way-points and a log, and what rides on it.
 
 mod channels;
+mod log;
 mod mount;
 mod path;
+mod points;
 mod segments;
+mod waypoints;
 
 use crate::input::document::Section;
 use crate::input::{Complaint, InputError};
@@ -11,7 +14,7 @@ use crate::scene::Trajectory;
 use crate::scene::keys::motion as keys;
 
 /// The table, or rest at the origin where there is none; a log lies beside the scene's file.
-pub fn read(root: &Section<'_>, _file: &str) -> Result<Trajectory, InputError> {
+pub fn read(root: &Section<'_>, file: &str) -> Result<Trajectory, InputError> {
     let Some(section) = root.table("trajectory", &keys::TRAJECTORY)? else {
         return Ok(Trajectory::default());
     };
@@ -29,7 +32,8 @@ pub fn read(root: &Section<'_>, _file: &str) -> Result<Trajectory, InputError> {
             return Ok(Trajectory { mounting, ..motion });
         }
         Kind::Segments => segments::read(&section)?,
-        Kind::Waypoints | Kind::Log => unreachable!("not yet"),
+        Kind::Waypoints => waypoints::read(&section)?,
+        Kind::Log => log::read(&section, file)?,
     };
     let (path, route) = made;
     Ok(Trajectory { path: Some(path), route: Some(route), mounting, ..Trajectory::default() })

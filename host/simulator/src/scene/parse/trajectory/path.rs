@@ -3,13 +3,17 @@
 use crate::course::Path;
 use crate::input::document::Section;
 use crate::input::{Complaint, InputError};
+use crate::number;
 use crate::scene::keys::motion as keys;
 use crate::scene::route::{Origin, Peaks, Route};
+use schuler::trajectory::piecewise::{Attitude, LEAST_SPEED, PathError};
 use schuler::trajectory::segment::attitude::AttitudeRule;
 use std::sync::Arc;
 
-/// Pieces of a path at most: 51 or 77 MB.
+/// Pieces of segments at most: 77 MB.
 pub const MOST_PIECES: usize = 100_000;
+/// Rows of a log at most: 205 MB.
+pub const MOST_ROWS: usize = 400_000;
 
 /// A path and what it was made from.
 pub type Made = (Path, Arc<Route>);
@@ -47,6 +51,30 @@ pub fn rule(section: &Section<'_>) -> Result<(&'static str, AttitudeRule), Input
             let complaint = Complaint::new("\"log\" needs a log with angles", accepted);
             Err(section.blame(keys::ATTITUDE.name, complaint))
         }
+    }
+}
+
+/// Where the pieces' attitude comes from, by a rule.
+pub fn along(rule: AttitudeRule) -> Attitude {
+    match rule {
+        AttitudeRule::Coordinated => Attitude::Coordinated,
+        AttitudeRule::Upright => Attitude::Upright,
+        AttitudeRule::Level => Attitude::Level,
+    }
+}
+
+/// What pieces that are no path are told, where it is the attitude's fault.
+pub fn unflyable(error: PathError, attitude: &str) -> Complaint {
+    match error {
+        PathError::Slow { time_s, speed } => Complaint::new(
+            format!(
+                "moves at {} m/s at {} s, too slowly to tell a {attitude} attitude",
+                number::short(speed),
+                number::parameter(time_s)
+            ),
+            format!("from {LEAST_SPEED} m/s up; segments may stand, and a log may bring its angles"),
+        ),
+        other => Complaint::new(other.to_string(), ""),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::path::{MOST_PIECES, Made, made, rule};
 use crate::course::Path;
-use crate::input::document::{Section, Value, choices};
+use crate::input::document::{Section, Value};
 use crate::input::key::Key;
 use crate::input::{Complaint, InputError, Range};
 use crate::number;
@@ -229,9 +229,4 @@ fn complaint(fault: Fault) -> Complaint {
         ),
         other => Complaint::new(other.to_string(), ""),
     }
-}
-
-/// What `line` may be, for people.
-pub fn lines() -> String {
-    choices(LINES)
 }

@@ -26,6 +26,7 @@ pub mod navigator;
 pub mod number;
 pub mod output;
 pub mod plan;
+pub mod portrait;
 pub mod progress;
 pub mod recording;
 pub mod rest;

@@ -6,6 +6,7 @@ mod every;
 mod hil;
 mod options;
 mod replay;
+mod scenes;
 mod start;
 
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
@@ -13,6 +14,7 @@ pub use every::{Every, Sieve};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, Handling, NavigatorOptions, Window};
 pub use replay::{Height, Lag, ReplayArgs};
+pub use scenes::{ScenesArgs, TrajectoryArgs};
 
 use crate::report::Wanted;
 use apart::Written;
@@ -52,6 +54,8 @@ pub enum Command {
     Emulate(EmulateArgs),
     /// Navigate a recorded stream
     Replay(ReplayArgs),
+    /// Describe a scene's flight, and write its path for other tools
+    Trajectory(TrajectoryArgs),
     /// Measure run time against error
     Frontier(FrontierArgs),
     /// Run the table of numerical stability, each row against its bound
@@ -66,9 +70,8 @@ pub enum Command {
     /// Serve as the target of `hil --device twin`
     #[command(hide = true, after_help = "Example:\n  schuler twin")]
     Twin,
-    /// List the built-in scenes
-    #[command(after_help = "Example:\n  schuler scenes")]
-    Scenes,
+    /// List the built-in scenes, print one, or every key of a scene
+    Scenes(ScenesArgs),
 }
 
 /// Options of `run`.

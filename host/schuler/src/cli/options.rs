@@ -142,7 +142,7 @@ pub(super) fn runs(text: &str) -> Result<u64, Complaint> {
     runs.ok_or_else(|| Complaint::new("is not a number of runs", accepted))
 }
 
-fn duration_s(text: &str) -> Result<f64, Complaint> {
+pub(super) fn duration_s(text: &str) -> Result<f64, Complaint> {
     number(text, &limits::DURATION_S)
 }
 

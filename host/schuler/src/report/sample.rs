@@ -77,6 +77,7 @@ pub fn scaled(scale: f64) -> Flight {
             latitude: channel(45.0 * DEGREE, angle, 0.0),
             longitude: channel(100.0 * DEGREE, angle, 0.0),
             altitude: channel(3500.0, 2000.0, FRAC_PI_6),
+            ..Trajectory::default()
         },
         gyro: SensorErrors {
             constant: Some([0.1 * DEGREE_PER_HOUR; 3]),

@@ -20,6 +20,8 @@ pub struct Table {
     pub others: Vec<String>,
     /// Rows; zero where a column is not there.
     pub rows: Vec<Vec<f64>>,
+    /// The line of each row, from 1.
+    pub lines: Vec<u64>,
 }
 
 /// Reads a file, whose first column is looked for is its time, which increases from row to row.
@@ -48,6 +50,7 @@ pub fn parse(file: &str, text: &str, columns: &[Column]) -> Result<Table, InputE
     let others = header.iter().filter(|name| columns.iter().all(|column| column.name != *name));
     let others = others.map(str::to_owned).collect();
     let mut rows: Vec<Vec<f64>> = Vec::new();
+    let mut lines = Vec::new();
     for record in reader.records() {
         let record = record.map_err(broken)?;
         let line = record.position().map_or(0, csv::Position::line);
@@ -76,8 +79,9 @@ pub fn parse(file: &str, text: &str, columns: &[Column]) -> Result<Table, InputE
             return Err(InputError::key(file, line, name, complaint));
         }
         rows.push(row);
+        lines.push(line);
     }
-    Ok(Table { is_there: places.iter().map(Option::is_some).collect(), others, rows })
+    Ok(Table { is_there: places.iter().map(Option::is_some).collect(), others, rows, lines })
 }
 
 fn number(file: &str, line: u64, column: &Column, field: &str) -> Result<f64, InputError> {

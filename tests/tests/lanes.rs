@@ -36,7 +36,7 @@ fn runs<const N: usize>() -> Runs<N> {
         (0..SAMPLES).map(|_| stream.advance().unwrap()).collect()
     });
     let initial = array::from_fn(|run| {
-        let mut initial = source.motion(0).initial();
+        let mut initial = source.initial(0);
         initial.position.latitude.hi += 0.08 * run as f64;
         initial.position.longitude.lo = 1e-18 * run as f64;
         initial.velocity_ned.y.hi -= 15.0 * run as f64;

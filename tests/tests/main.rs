@@ -12,6 +12,7 @@
 //! | `drift`, `error_dynamics` | solution less truth, and its linear model |
 //! | `theory`, `theory_…`, `ensemble` | what theory expects, and how runs scatter |
 //! | `lanes` | runs abreast |
+//! | `paths` | splines, way-points, logs |
 //! | `link` | frames, and the application at their end |
 //! | `catalogue`, `scenes` | navigators by name; the scene that stands in source and in TOML |
 //! | `release` | licences and version |
@@ -28,6 +29,7 @@ mod functions;
 mod lanes;
 mod link;
 mod matrix;
+mod paths;
 mod plan;
 mod release;
 mod runge_kutta;

@@ -10,7 +10,7 @@ use schuler_tests::{Course, bits};
 
 /// Largest distance from the truth at the ends of steps, m.
 fn largest_miss(course: &Course) -> f64 {
-    let rates = |sample| imu::rates(&course.source.motion(sample));
+    let rates = |sample| course.source.rates(sample);
     let navigator = RungeKutta::new(course.interval_s.hi).unwrap();
     let mut state = navigator.start(&course.initial()).unwrap();
     let mut largest = 0.0;
@@ -43,7 +43,7 @@ fn slow_motion_to_the_rounding_of_plain_sums() {
 #[test]
 fn attitude_keeps_its_length() {
     let course = Course::new("manoeuvre", 0.5, 20.0);
-    let rates = |sample| imu::rates(&course.source.motion(sample));
+    let rates = |sample| course.source.rates(sample);
     let navigator = RungeKutta::new(course.interval_s.hi).unwrap();
     let mut state = navigator.start(&course.initial()).unwrap();
     for sample in (2..=course.samples.len() as u64).step_by(2) {
@@ -62,7 +62,7 @@ fn what_is_refused_leaves_the_state_alone() {
     let navigator = RungeKutta::new(course.interval_s.hi).unwrap();
     let mut state = navigator.start(&course.initial()).unwrap();
     let before = bits(&state);
-    let good = imu::rates(&course.source.motion(0));
+    let good = course.source.rates(0);
     let mut bad = good;
     bad.rate_ib_b = Vector::new(f64::NAN, 0.0, 0.0);
     assert_eq!(navigator.step(&mut state, &[good, good, bad]), Err(Rejected::Angle));

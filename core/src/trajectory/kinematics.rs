@@ -10,7 +10,7 @@
 //! assert_eq!(rates.rate_ib_b.z, 7.292115e-5);
 //! ```
 
-use super::motion::Motion;
+use super::motion::{Jet, Motion};
 use crate::earth::{self, ROTATION_RATE, Radii};
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
@@ -90,6 +90,29 @@ impl Kinematics {
     }
 }
 
+/// Angular rate and acceleration in the turned axes, from the angles' first and second derivatives.
+pub(super) fn euler_rates(
+    euler: Euler<f64>,
+    first: Vector<f64>,
+    second: Vector<f64>,
+) -> (Vector<f64>, Vector<f64>) {
+    // ω = (γ̇ − ψ̇ sinθ, θ̇ cosγ + ψ̇ sinγ cosθ, −θ̇ sinγ + ψ̇ cosγ cosθ), and its derivative
+    let (sr, cr) = Real::sin_cos(euler.roll);
+    let (sp, cp) = Real::sin_cos(euler.pitch);
+    let rate = Vector::new(
+        first.x - first.z * sp,
+        first.y * cr + first.z * sr * cp,
+        first.z * cr * cp - first.y * sr,
+    );
+    let level = second.z * cp - first.z * first.y * sp;
+    let change = Vector::new(
+        second.x - second.z * sp - first.z * first.y * cp,
+        second.y * cr + level * sr + first.x * rate.z,
+        level * cr - second.y * sr - first.x * rate.y,
+    );
+    (rate, change)
+}
+
 impl From<&Motion<f64>> for Kinematics {
     fn from(motion: &Motion<f64>) -> Self {
         let Motion { roll, pitch, yaw, latitude, longitude, altitude } = *motion;
@@ -113,21 +136,9 @@ impl From<&Motion<f64>> for Kinematics {
             -altitude.second,
         );
         let transport = motion.transport_rate(s, c);
-        // Euler's rates: ω_nbᵇ = (γ̇ − ψ̇ sinθ, θ̇ cosγ + ψ̇ sinγ cosθ, −θ̇ sinγ + ψ̇ cosγ cosθ), and its derivative
-        let (sr, cr) = Real::sin_cos(roll.value);
-        let (sp, cp) = Real::sin_cos(pitch.value);
-        let rate_nb = Vector::new(
-            roll.first - yaw.first * sp,
-            pitch.first * cr + yaw.first * sr * cp,
-            yaw.first * cr * cp - pitch.first * sr,
-        );
-        let yaw_level = yaw.second * cp - yaw.first * pitch.first * sp;
-        let change_nb = Vector::new(
-            roll.second - yaw.second * sp - yaw.first * pitch.first * cp,
-            pitch.second * cr + yaw_level * sr + roll.first * rate_nb.z,
-            yaw_level * cr - pitch.second * sr - roll.first * rate_nb.y,
-        );
         let euler = Euler { roll: roll.value, pitch: pitch.value, yaw: yaw.value };
+        let of = |f: fn(Jet<f64>) -> f64| Vector::new(f(roll), f(pitch), f(yaw));
+        let (rate_nb, change_nb) = euler_rates(euler, of(|jet| jet.first), of(|jet| jet.second));
         let body_to_ned = euler.quaternion();
         let transport_b = to_body(body_to_ned, transport);
         // ω̇_enⁿ: (λ̈ cosφ − λ̇ φ̇ sinφ, −φ̈, −λ̈ sinφ − λ̇ φ̇ cosφ)

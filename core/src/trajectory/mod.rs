@@ -15,19 +15,30 @@
 //! |---|---|
 //! | `motion` | attitude and position with their derivatives, and what sensors read there |
 //! | [`kinematics`] | the same in Earth-fixed axes |
+//! | `geographic` | what a navigator would print of that |
 //! | [`harmonic`] | channels of harmonics, as in the paper |
 //! | [`series`] | truncated power series |
 //! | [`piecewise`] | any path: polynomials of the normal, the height and the attitude |
+//! | [`carried`], `displaced` | a lever arm and vibration on any motion |
 //! | [`hermite`] | the polynomial between two ends |
 //! | [`segment`] | a path by manoeuvres |
+//! | [`log`] | paths by logged positions and attitudes |
+//! | [`spline`] | splines through points, or near them |
+//! | [`waypoints`] | paths by way-points |
 
+pub mod carried;
+mod displaced;
+mod geographic;
 pub mod harmonic;
 pub mod hermite;
 pub mod kinematics;
+pub mod log;
 mod motion;
 pub mod piecewise;
 pub mod segment;
 pub mod series;
+pub mod spline;
+pub mod waypoints;
 
 pub use motion::{Jet, Motion, wrap};
 

@@ -6,30 +6,36 @@
 //! |---|---|
 //! | [`units`], [`number`], [`input`], [`output`], [`progress`] | units, numbers for people, files in and out |
 //! | [`scene`] | what flies, what the sensors get wrong, how it is navigated |
-//! | [`source`], [`emulator`] | truth, perfect increments, sensors |
+//! | [`course`], [`source`], [`emulator`] | motion, truth, perfect increments, sensors |
 //! | [`navigator`], [`lanes`], [`ensemble`], [`twin`] | the core's navigators: one, many abreast, a target's copy |
-//! | [`plan`], [`timing`] | the window for a scene, and what a stage costs |
+//! | [`rounding`] | flights that round at random |
+//! | [`plan`], [`lively`], [`timing`] | the window for a scene, and what a stage costs |
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
 
+pub mod course;
 pub mod emulator;
 pub mod ensemble;
 pub mod flight;
 pub mod high;
 pub mod input;
 pub mod lanes;
+pub mod lively;
 pub mod navigator;
 pub mod number;
 pub mod output;
 pub mod plan;
+pub mod portrait;
 pub mod progress;
 pub mod recording;
 pub mod rest;
+pub mod rounding;
 pub mod scene;
 pub mod simulate;
 pub mod source;
 pub mod theory;
 pub mod timing;
 pub mod twin;
-pub mod units;
+
+pub use schuler::units;

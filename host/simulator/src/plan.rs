@@ -6,10 +6,12 @@ mod growth;
 mod mean;
 mod middle;
 mod passage;
+mod path;
 mod reference;
 mod step;
 mod trial;
 
+use crate::course::Path;
 use crate::flight::{Planned, Skipped};
 use crate::navigator::{self, Navigate};
 use crate::scene::{Algorithm, Axes, Precision, Scene, WindowShape};
@@ -97,6 +99,11 @@ impl Plan {
         // A run that skips nothing chooses by the same samples.
         let plain = if force_all { Source::new(scene, false).ok() } else { None };
         let source = plain.as_ref().unwrap_or(source);
+        if let Some(path) = source.course.path()
+            && source.course.bound().bandwidth > 0.0
+        {
+            return Self::of_path(scene, source, path, force_all);
+        }
         let flight = Flight {
             motion: &source.course,
             interval_s: 1.0 / scene.rate_hz,
@@ -143,6 +150,33 @@ impl Plan {
             _ => plan::HIGHEST_ORDER,
         };
         Self { window, order, trial: planned, force_all }
+    }
+
+    /// Of a path in pieces.
+    fn of_path(scene: &Scene, source: &Source, path: &Path, force_all: bool) -> Self {
+        let flown = path::Flown::new(scene, source, path);
+        let most_m =
+            growth::rounding_m(scene.duration_s) * share_of_rounding(scene.navigator.precision);
+        let asked = scene.navigator.window.and_then(Candidate::find);
+        let mut candidates = match asked {
+            Some(asked) => vec![asked],
+            None => candidates(scene, source),
+        };
+        if force_all && asked.is_none() {
+            candidates.sort_by_key(|c| std::cmp::Reverse(c.shape.history + c.shape.lookahead));
+        }
+        let (chosen, tried, enough_m) = flown.choose(&candidates, most_m);
+        let fallback = chosen.map_or(WindowShape::new(2, 2, 2), |chosen| chosen.shape);
+        Self {
+            window: scene.navigator.window.unwrap_or(fallback),
+            order: plan::HIGHEST_ORDER,
+            trial: chosen.map(|chosen| Planned {
+                tried,
+                predicted_m: chosen.predicted_m,
+                most_m: enough_m,
+            }),
+            force_all,
+        }
     }
 
     /// The window flown, if the algorithm has one.
@@ -228,7 +262,7 @@ impl Plan {
     /// The navigator of this plan, at the scene's start without its initial error.
     fn start(&self, scene: &Scene, source: &Source) -> Option<Box<dyn Navigate>> {
         let interval_s = Pair::new(scene.rate_hz).reciprocal();
-        let initial = source.motion(0).initial();
+        let initial = source.initial(0);
         navigator::start(&scene.navigator, self.window, self.order, interval_s, &initial).ok()
     }
 }

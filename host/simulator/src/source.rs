@@ -1,21 +1,21 @@
 //! The stream of samples of a scene: true motion, perfect increments, sensor errors, link.
 
+pub use crate::course::Course;
 use crate::emulator::{self, SceneEmulator};
+use crate::lively;
 use crate::scene::Scene;
-use crate::scene::build::HARMONICS;
 use schuler::imu::{self, Quadrature};
+use schuler::math::compensated::Pair;
 use schuler::noise::{Stream, Streams};
 use schuler::sample::{Increment, Rates};
 use schuler::sensor::ErrorTerm;
 use schuler::sensor::parameter::ParameterError;
 use schuler::sensor::triad::Triad;
 use schuler::solution::Solution;
-use schuler::trajectory::harmonic::{CourseError, HarmonicTrajectory};
+use schuler::trajectory::harmonic::CourseError;
 use schuler::trajectory::{Motion, Trajectory};
 use std::fmt;
 
-/// The motion of a scene.
-pub type Course = HarmonicTrajectory<f64, HARMONICS>;
 type SensorState = <Triad<f64> as ErrorTerm<f64>>::State;
 type EmulatorState = schuler::sensor::emulator::EmulatorState<SensorState, SensorState>;
 
@@ -61,7 +61,11 @@ impl Source {
         let course = scene.trajectory.build().map_err(SourceError::Trajectory)?;
         let interval_s = 1.0 / scene.rate_hz;
         let bandwidth = course.bound().bandwidth;
-        let planned = Quadrature::plan(bandwidth, interval_s);
+        let by_trial = course
+            .path()
+            .filter(|_| bandwidth > 0.0)
+            .and_then(|path| lively::quadrature(&course, path, scene.rate_hz, scene.samples()));
+        let planned = by_trial.unwrap_or_else(|| Quadrature::plan(bandwidth, interval_s));
         let quadrature = if force_all { planned.finest() } else { planned };
         let perfect = scene.gyro == Default::default() && scene.accelerometer == Default::default();
         let emulator = if perfect && !force_all {
@@ -70,7 +74,7 @@ impl Source {
             Some(emulator::build(scene).map_err(SourceError::Sensor)?)
         };
         let still = bandwidth == 0.0 && scene.link.jitter_s == 0.0 && !force_all;
-        let constant = still.then(|| quadrature.sample(&course, 1, scene.rate_hz));
+        let constant = still.then(|| course.sample(quadrature, 1, scene.rate_hz));
         Ok(Self {
             course,
             quadrature,
@@ -100,23 +104,37 @@ impl Source {
 
     /// The true state at the end of a sample.
     pub fn truth(&self, sample: u64) -> Solution<f64> {
-        self.motion(sample).solution()
+        self.course.solution_at(self.instant(sample))
+    }
+
+    /// The true state at the end of a sample, to about twice the digits where they count: a start.
+    pub fn initial(&self, sample: u64) -> Solution<f64> {
+        self.course.initial_at(self.instant(sample))
+    }
+
+    /// What perfect sensors read at the end of a sample.
+    pub fn rates(&self, sample: u64) -> Rates<f64> {
+        self.course.rates_at(self.instant(sample))
+    }
+
+    fn instant(&self, sample: u64) -> Pair<f64> {
+        imu::instant(sample as f64, self.rate_hz)
     }
 
     /// The true motion at the end of a sample.
     pub fn motion(&self, sample: u64) -> Motion<f64> {
-        self.course.at_instant(imu::instant(sample as f64, self.rate_hz))
+        self.course.at_instant(self.instant(sample))
     }
 
     /// The perfect increment of the sample of a number, from 1.
     pub fn perfect_sample(&self, sample: u64) -> Increment<f64> {
-        let sampled = || self.quadrature.sample(&self.course, sample, self.rate_hz);
+        let sampled = || self.course.sample(self.quadrature, sample, self.rate_hz);
         self.constant.unwrap_or_else(sampled)
     }
 
     /// The perfect increment between two times, s.
     pub fn perfect(&self, from_s: f64, to_s: f64) -> Increment<f64> {
-        self.constant.unwrap_or_else(|| self.quadrature.increment(&self.course, from_s, to_s))
+        self.constant.unwrap_or_else(|| self.course.increment(self.quadrature, from_s, to_s))
     }
 
     /// Starts the stream of one run.
@@ -175,12 +193,11 @@ impl Samples<'_> {
     /// The next sample as instantaneous rates at its end; `None` if the link lost it.
     pub fn advance_rates(&mut self) -> Option<Rates<f64>> {
         self.step();
-        let motion = if self.source.jitter_s > 0.0 {
-            self.source.course.at(self.end_s)
+        let mut rates = if self.source.jitter_s > 0.0 {
+            self.source.course.rates_at(Pair::new(self.end_s))
         } else {
-            self.source.motion(self.sample)
+            self.source.rates(self.sample)
         };
-        let mut rates = imu::rates(&motion);
         if let (Some(emulator), Some(state)) = (&self.source.emulator, &mut self.state) {
             rates = emulator.emulate_rates(state, &rates);
         }

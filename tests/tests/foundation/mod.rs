@@ -8,6 +8,7 @@ mod earth;
 mod formats;
 mod imu;
 mod normal_gravity;
+mod piecewise;
 mod plausible;
 mod quaternion;
 mod rates;

@@ -65,7 +65,7 @@ impl Uneven {
     }
 
     fn initial<R: Scalar>(&self) -> Solution<R> {
-        Solution::narrow(&self.source.motion(0).initial())
+        Solution::narrow(&self.source.initial(0))
     }
 
     /// Each sample with its interval.

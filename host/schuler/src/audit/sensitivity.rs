@@ -111,7 +111,7 @@ impl<'a> Flight<'a> {
     fn new(scene: &'a Scene, times_s: &[f64]) -> Result<Self, FlightError> {
         let source = Source::new(scene, false)?;
         let plan = Plan::new(scene, &source, false);
-        let initial = offset(&source.motion(0).initial(), scene);
+        let initial = offset(&source.initial(0), scene);
         let mut stream = source.start(0);
         let samples = (0..scene.samples()).map(|_| stream.advance_seen().0).collect();
         let due = times_s.iter().map(|t| (t * scene.rate_hz).round() as u64).collect();

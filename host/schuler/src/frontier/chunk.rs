@@ -1,7 +1,6 @@
 //! Consecutive samples, and how a case takes them.
 
 use super::case::Craft;
-use schuler::imu;
 use schuler::sample::{Increment, Rates};
 use schuler::strapdown::limits::Rejected;
 use schuler_simulator::navigator::Reader;
@@ -17,7 +16,7 @@ impl Chunk {
     /// Those after `before` up to `end`.
     pub fn new(source: &Source, before: u64, end: u64) -> Self {
         let perfect = |n| source.perfect_sample(n);
-        let rates = |n| imu::rates(&source.motion(n));
+        let rates = |n| source.rates(n);
         Self {
             increments: (before + 1..=end).map(perfect).collect(),
             rates: (before + 1..=end).map(rates).collect(),

@@ -5,7 +5,6 @@ use super::chunk::Chunk;
 use super::pace;
 use super::{LeftOut, Point};
 use schuler::drift::compare::drift;
-use schuler::imu;
 use schuler::solution::Solution;
 use schuler::strapdown::limits::Rejected;
 use schuler::trajectory::Trajectory as _;
@@ -72,7 +71,7 @@ pub fn measure(
 
 fn start(source: &Source, case: &Case) -> Result<Craft, Unavailable> {
     let bound = source.course.bound();
-    case.start(source.rate_hz(), bound, &source.motion(0).initial())
+    case.start(source.rate_hz(), bound, &source.initial(0))
 }
 
 /// Flies all cases against the truth, shared out among the processors.
@@ -111,7 +110,7 @@ fn fly_all(
 fn fly(source: &Source, samples: u64, cases: &[Case], flown: &mut dyn FnMut(u64)) -> Vec<Outcome> {
     let mut flights: Vec<Flight> = cases.iter().map(|case| Flight::new(source, case)).collect();
     let mut truth = vec![source.truth(0)];
-    let first_rates = imu::rates(&source.motion(0));
+    let first_rates = source.rates(0);
     for flight in &mut flights {
         flight.go_on(&truth, 0, |craft, read| craft.push_rates(&first_rates, read));
     }

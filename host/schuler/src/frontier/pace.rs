@@ -1,7 +1,6 @@
 //! The time of a case: nanoseconds per sample, with all cases measured alternately.
 
 use super::case::Craft;
-use schuler::imu;
 use schuler_simulator::source::Source;
 use schuler_simulator::timing;
 use std::time::Instant;
@@ -20,7 +19,7 @@ pub fn time(
     flown: &mut dyn FnMut(u64),
 ) -> Vec<(f64, f64)> {
     let increments = timing::perfect(source, samples);
-    let rates: Vec<_> = (0..=samples).map(|n| imu::rates(&source.motion(n))).collect();
+    let rates: Vec<_> = (0..=samples).map(|n| source.rates(n)).collect();
     let mut flights: Vec<Box<dyn FnMut() + '_>> = crafts
         .iter()
         .map(|craft| match craft {

@@ -93,7 +93,7 @@ fn refuses(sign: f64) -> Outcome {
     start.trajectory.latitude.offset = sign * 90.0 * DEGREE;
     start.trajectory.latitude.rate = 0.0;
     let source = Source::new(&start, false).map_err(|error| error.to_string())?;
-    let initial = source.motion(0).initial();
+    let initial = source.initial(0);
     let interval_s = Pair::new(start.rate_hz).reciprocal();
     let (window, order) = (plan::UNKNOWN, plan::HIGHEST_ORDER);
     let started = navigator::start(&start.navigator, window, order, interval_s, &initial);

@@ -117,7 +117,7 @@ fn refused(progress: &CaseProgress) -> Outcome {
         (scene.duration_s, scene.rate_hz) = (1.0, 200.0);
     })?;
     let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
-    let initial = source.motion(0).initial();
+    let initial = source.initial(0);
     let interval_s = Pair::new(scene.rate_hz).reciprocal();
     let (mut wrong, mut moved) = (0, 0);
     let all = every_navigator();

@@ -82,7 +82,7 @@ fn every_case_has_a_name_of_its_own_and_starts() {
     }
     let scene = builtin::scene("hard").unwrap();
     let source = Source::new(&scene, false).unwrap();
-    let initial = source.motion(0).initial();
+    let initial = source.initial(0);
     for case in all {
         let started = case.start(100.0, source.course.bound(), &initial);
         assert!(started.is_ok(), "{case}");

@@ -56,7 +56,7 @@ impl<'a> Ground<'a> {
     /// Of a scene and its source.
     pub fn new(scene: &'a Scene, source: &'a Source) -> Self {
         let plan = Plan::new(scene, source, false);
-        let initial = simulate::offset(&source.motion(0).initial(), scene);
+        let initial = simulate::offset(&source.initial(0), scene);
         Self { scene, source, plan, initial }
     }
 

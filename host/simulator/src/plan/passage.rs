@@ -48,7 +48,7 @@ impl Passage {
         let numbers = first + 1..=first + count;
         Self {
             first,
-            initial: source.motion(first).initial(),
+            initial: source.initial(first),
             samples: numbers.clone().map(|n| source.perfect_sample(n)).collect(),
             truth: numbers.map(|n| source.truth(n)).collect(),
         }

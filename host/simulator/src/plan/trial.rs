@@ -13,7 +13,7 @@ use super::middle::Told;
 use super::passage::{Left, Passages, WHOLE};
 use super::reference::{MARGIN, Miss, Part, Stretch};
 use crate::scene::WindowShape;
-use schuler::imu;
+use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use schuler::strapdown::limits::MOST_TURN;
@@ -91,7 +91,7 @@ impl<'a, T: Trajectory<f64>> Trial<'a, T> {
         let mut most = [0.0_f64; GROUPS];
         for n in 0..LOOKS {
             let part = (f64::from(n) + golden(n.into())) / f64::from(LOOKS);
-            let rate = imu::rates(&motion.at(part * duration_s)).rate_ib_b;
+            let rate = motion.rates_at(Pair::new(part * duration_s)).rate_ib_b;
             if let Some(most) = most.get_mut(n as usize % GROUPS) {
                 *most = rate.into_array().into_iter().fold(*most, |most, w| most.max(w.abs()));
             }

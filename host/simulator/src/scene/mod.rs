@@ -4,11 +4,14 @@
 
 pub mod build;
 pub mod builtin;
+pub mod keys;
 pub mod limits;
 pub mod parse;
+pub mod route;
 pub mod terms;
 pub mod window;
 
+use crate::course::Path;
 use crate::input::document::{Document, did_you_mean};
 use crate::input::{Complaint, InputError, read_text};
 pub use schuler::flight::configuration::{Algorithm, Axes, Precision};
@@ -16,7 +19,9 @@ pub use schuler::strapdown::block::shape::WindowShape;
 
 use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
-use std::path::Path;
+use route::Route;
+use std::path;
+use std::sync::Arc;
 
 /// Everything that one run needs to know.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +30,8 @@ pub struct Scene {
     pub name: String,
     /// One line for people.
     pub title: String,
+    /// SHA-256 of the text that it was read from, hex.
+    pub text_sha256: String,
     /// Length, s.
     pub duration_s: f64,
     /// Inertial samples per second.
@@ -62,7 +69,7 @@ pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputErr
     if let Some(scene) = builtin::scene(name_or_path) {
         return Ok(scene);
     }
-    let is_path = name_or_path.contains(['/', '\\', '.']) || Path::new(name_or_path).exists();
+    let is_path = name_or_path.contains(['/', '\\', '.']) || path::Path::new(name_or_path).exists();
     if !is_path {
         let names = builtin::names().map(|(name, _)| name);
         let names: Vec<_> = names.chain(other.iter().copied()).collect();
@@ -88,9 +95,13 @@ pub fn blame(name_or_path: &str, key: &str, complaint: Complaint) -> InputError 
     )
 }
 
-/// The six channels; angles in rad, altitude in m.
+/// The true motion: six channels, angles in rad, altitude in m; or a path in their place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trajectory {
+    /// The path that is flown; the channels are not asked then.
+    pub path: Option<Path>,
+    /// What that was made from.
+    pub route: Option<Arc<Route>>,
     /// Roll γ.
     pub roll: Channel,
     /// Pitch θ.
@@ -103,6 +114,34 @@ pub struct Trajectory {
     pub longitude: Channel,
     /// Altitude h.
     pub altitude: Channel,
+    /// Where the unit sits in what moves so.
+    pub mounting: Mounting,
+}
+
+/// Where the unit sits in its vehicle; all of it 0 is the unit itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mounting {
+    /// From the reference point of the path, forward, right, down, m.
+    pub lever_arm_m: [f64; 3],
+    /// What shakes it.
+    pub vibration: Vibration,
+}
+
+/// What shakes a unit in its vehicle: angles in rad, added to its attitude, and lengths in m, added to its lever.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Vibration {
+    /// Roll.
+    pub roll: Channel,
+    /// Pitch.
+    pub pitch: Channel,
+    /// Yaw.
+    pub yaw: Channel,
+    /// Forward.
+    pub forward: Channel,
+    /// To the right.
+    pub right: Channel,
+    /// Down.
+    pub down: Channel,
 }
 
 /// offset + rate·t + Σ harmonics.

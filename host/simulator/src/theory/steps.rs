@@ -1,7 +1,7 @@
 //! Steps of quantization that are too coarse to be noise.
 
 use super::sources::{SENSORS, Sources};
-use schuler::imu;
+use schuler::math::compensated::Pair;
 use schuler::trajectory::Trajectory;
 
 /// The rounding of a step is white noise where the signal crosses so many steps per sample, or noise
@@ -24,7 +24,7 @@ pub fn coarse(
     }
     for look in 0..LOOKS {
         let time_s = duration_s * f64::from(look) / f64::from(LOOKS);
-        let rates = imu::rates(&trajectory.at(time_s));
+        let rates = trajectory.rates_at(Pair::new(time_s));
         let [x, y, z] = rates.rate_ib_b.into_array();
         let [u, v, w] = rates.specific_force_b.into_array();
         for (square, reading) in squares.iter_mut().zip([x, y, z, u, v, w]) {

@@ -1,13 +1,13 @@
 //! What a navigator would print of a place and an attitude in Earth-fixed axes.
 
+use super::kinematics::{Kinematics, to_body};
+use super::motion::{Jet, Motion};
 use crate::earth::{ECCENTRICITY_SQUARED, Geodetic, Radii};
 use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::solution::{Euler, Solution};
-use crate::trajectory::kinematics::{Kinematics, to_body};
-use crate::trajectory::motion::{Jet, Motion};
 use core::f64::consts::FRAC_PI_2;
 
 /// q_nᵉ* ⊗ q_bᵉ, from sine and cosine of ½λ and of ½(φ + 90°).
@@ -128,4 +128,16 @@ pub(super) fn motion(at: &Kinematics, climb: f64, climb_change: f64) -> Motion<f
         ),
         altitude: jet(at.altitude, climb, climb_change),
     }
+}
+
+/// ḧ of a place in motion: r̈·n̂ and what the turning of the normal adds.
+pub(super) fn climb_change(at: &Kinematics) -> f64 {
+    // ḣ = v·n̂:  ḧ = r̈·n̂ + v·n̂',  v·n̂' = v_N²/(R_M + h) + v_E²/(R_N + h)
+    let (latitude, longitude) = angles(at.normal_e);
+    let ((s, c), meridian) = (Real::sin_cos(latitude), Real::sin_cos(longitude));
+    let radii = Radii::at(s, c);
+    let v = velocity_ned((s, c), meridian, at.velocity_e, 0.0);
+    at.acceleration_e.dot(at.normal_e)
+        + v.x * v.x / (radii.meridian + at.altitude)
+        + v.y * v.y / (radii.prime_vertical + at.altitude)
 }

@@ -1,0 +1,230 @@
+//! The smoothest spline that leaves a given residual.
+//!
+//! Differentiating twice multiplies noise: positions to 2 cm at 10 Hz, interpolated, are accelerations to 8 m/s².
+//! So noisy samples are smoothed: Σ|z − f(t)|² + λ∫|f‴|² is least, with λ such that the residual is as large
+//! as the noise (Morozov's discrepancy principle). λ = τ⁶/Δt, Δt the mean spacing of the samples: motion slower than τ/2π is
+//! kept, what is faster is taken out. τ is found by bisecting its logarithm.
+//! Source: Reinsch, Smoothing by spline functions, *Numerische Mathematik* 10 (1967) 177–183.
+//!
+//! ```
+//! use schuler::trajectory::spline::{BAND, EXTRA, smooth::{Fit, Workspace, smooth}};
+//!
+//! // t² with an error of 1 cm that alternates.
+//! let times: [f64; 40] = core::array::from_fn(|k| 0.1 * k as f64);
+//! let noisy = times.map(|t| [t * t + if (10.0 * t).round() % 2.0 == 0.0 { 0.01 } else { -0.01 }]);
+//! let mut control = [[0.0]; 40 + EXTRA];
+//! let (mut gram, mut factors) = ([[0.0; BAND]; 40 + EXTRA], [[0.0; BAND]; 40 + EXTRA]);
+//! let mut right = [[0.0]; 40 + EXTRA];
+//! let workspace = Workspace { gram: &mut gram, factors: &mut factors, right: &mut right };
+//! let fit = Fit { sites: &times, times_s: &times, values: &noisy, channels: 0..1 };
+//! let outcome = smooth(&fit, 0.01, workspace, &mut control)?;
+//! assert!((outcome.residual - 0.01).abs() < 1e-4 || outcome.at_limit);
+//! # Ok::<(), schuler::trajectory::spline::SplineError>(())
+//! ```
+
+use super::basis::Knots;
+use super::normal::{add_sample, factor, for_each_sample, solve, value};
+use super::penalty::{add_to, subtract_gradient};
+use super::{BAND, EXTRA, SplineError, check_sites};
+use crate::math::real::Real;
+use core::ops::Range;
+
+/// Bisections of the logarithm of τ, from [`SHORTEST`] to [`LONGEST`].
+const BISECTIONS: usize = 45;
+/// τ at least, in mean spacings of the sites: noise of the highest frequency passes to 99.9 %.
+const SHORTEST: f64 = 0.1;
+/// τ at most, in mean spacings of the sites: beyond it rounding makes the equations indefinite.
+const LONGEST: f64 = 100.0;
+
+/// What is to be smoothed.
+#[derive(Clone, Debug)]
+pub struct Fit<'a, const C: usize> {
+    /// Times of the joints, s.
+    pub sites: &'a [f64],
+    /// Times of the samples, s, within the sites.
+    pub times_s: &'a [f64],
+    /// The samples.
+    pub values: &'a [[f64; C]],
+    /// The channels whose residual counts, and that are written.
+    pub channels: Range<usize>,
+}
+
+/// Room for the equations, each with [`EXTRA`] more entries than there are sites.
+#[derive(Debug)]
+pub struct Workspace<'a, const C: usize> {
+    /// BᵀB.
+    pub gram: &'a mut [[f64; BAND]],
+    /// Factors.
+    pub factors: &'a mut [[f64; BAND]],
+    /// Right side, and solution.
+    pub right: &'a mut [[f64; C]],
+}
+
+impl<const C: usize> Workspace<'_, C> {
+    /// The same room for another use.
+    pub fn again(&mut self) -> Workspace<'_, C> {
+        Workspace { gram: self.gram, factors: self.factors, right: self.right }
+    }
+}
+
+/// How a path was smoothed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Smoothing {
+    /// τ, s.
+    pub time_constant_s: f64,
+    /// √(Σ|z − f(t)|²/n) over the samples, in the channels' unit.
+    pub residual: f64,
+    /// The longest τ leaves less than the noise: the samples scatter less than stated, and the path is as smooth
+    /// as its sites allow.
+    pub at_limit: bool,
+}
+
+/// Finds the control points of the smoothest spline whose residual √(Σ|z − f(t)|²/n) is the `noise`; its knots are
+/// [`Knots::continued`].
+///
+/// # Errors
+///
+/// [`SplineError`] with the index of a sample; [`SplineError::TooStiff`] if no τ leaves as little as the noise.
+pub fn smooth<const C: usize>(
+    fit: &Fit<'_, C>,
+    noise: f64,
+    workspace: Workspace<'_, C>,
+    control: &mut [[f64; C]],
+) -> Result<Smoothing, SplineError> {
+    check_sites(fit.sites)?;
+    check_sites(fit.times_s)?;
+    let count = fit.times_s.len();
+    if fit.values.len() != count {
+        return Err(SplineError::Count { needed: count });
+    }
+    let finite = |row: &[f64; C]| row.iter().all(|x| x.is_finite());
+    if let Some(index) = fit.values.iter().position(|row| !finite(row)) {
+        return Err(SplineError::NotFinite { index });
+    }
+    let needed = fit.sites.len() + EXTRA;
+    let no_room = SplineError::NoRoom { needed };
+    let mut problem = Problem {
+        fit,
+        base: fit.values.first().copied().unwrap_or([0.0; C]),
+        gram: workspace.gram.get_mut(..needed).ok_or(no_room)?,
+        factors: workspace.factors.get_mut(..needed).ok_or(no_room)?,
+        right: workspace.right.get_mut(..needed).ok_or(no_room)?,
+        control: control.get_mut(..needed).ok_or(no_room)?,
+    };
+    problem.fill_gram()?;
+    problem.search(noise)
+}
+
+struct Problem<'a, 'b, const C: usize> {
+    fit: &'a Fit<'b, C>,
+    /// The first sample: all is solved for the differences from it.
+    base: [f64; C],
+    gram: &'a mut [[f64; BAND]],
+    factors: &'a mut [[f64; BAND]],
+    right: &'a mut [[f64; C]],
+    control: &'a mut [[f64; C]],
+}
+
+impl<const C: usize> Problem<'_, '_, C> {
+    fn fill_gram(&mut self) -> Result<(), SplineError> {
+        self.gram.fill([0.0; BAND]);
+        let Self { fit, gram, .. } = self;
+        for_each_sample(Knots::continued(fit.sites), fit.times_s, |_, span, basis| {
+            add_sample(gram, span, &basis)
+        })
+    }
+
+    fn search(&mut self, noise: f64) -> Result<Smoothing, SplineError> {
+        let (sites, times) = (self.fit.sites, self.fit.times_s);
+        let spacing = mean_spacing(sites);
+        let between = mean_spacing(times);
+        let (mut low, mut high) = (SHORTEST * spacing, LONGEST * spacing);
+        let mut outcome = self.solve(high, between)?;
+        outcome.at_limit = true;
+        if outcome.residual > noise {
+            for _ in 0..BISECTIONS {
+                let middle = Real::sqrt(low * high);
+                let residual = self.solve(middle, between)?.residual;
+                *if residual < noise { &mut low } else { &mut high } = middle;
+            }
+            outcome = self.solve(low, between)?;
+            // A residual that stays above the noise leaves the lower end where it was.
+            if outcome.residual > 1.001 * noise {
+                return Err(SplineError::TooStiff);
+            }
+        }
+        for row in self.control.iter_mut() {
+            let channels = row.iter_mut().zip(self.base).enumerate();
+            for (_, (c, base)) in channels.filter(|(k, _)| self.fit.channels.contains(k)) {
+                *c += base;
+            }
+        }
+        Ok(outcome)
+    }
+
+    /// Solves for a τ and leaves the differences of the control points in `control`.
+    fn solve(&mut self, time_constant_s: f64, between: f64) -> Result<Smoothing, SplineError> {
+        let square = time_constant_s * time_constant_s;
+        let lambda = square * square * square / between;
+        self.factors.copy_from_slice(self.gram);
+        add_to(Knots::continued(self.fit.sites), lambda, self.factors);
+        factor(self.factors)?;
+        self.start();
+        // The first pass solves; the second makes up for what rounding in the factors lost.
+        for _ in 0..2 {
+            self.right.fill([0.0; C]);
+            self.residual()?;
+            let Self { fit, factors, right, control, .. } = self;
+            // Unwritten channels have no differences here, and stay as they are.
+            subtract_gradient(Knots::continued(fit.sites), lambda, control, right);
+            solve(factors, right);
+            for (c, correction) in control.iter_mut().zip(right.iter()) {
+                let channels = c.iter_mut().zip(correction).enumerate();
+                for (_, (c, d)) in channels.filter(|(k, _)| fit.channels.contains(k)) {
+                    *c += d;
+                }
+            }
+        }
+        let residual = self.residual()?;
+        Ok(Smoothing { time_constant_s, residual, at_limit: false })
+    }
+
+    /// Sets the written channels to 0.
+    fn start(&mut self) {
+        for row in self.control.iter_mut() {
+            let channels = row.iter_mut().enumerate();
+            for (_, c) in channels.filter(|(k, _)| self.fit.channels.contains(k)) {
+                *c = 0.0;
+            }
+        }
+    }
+
+    /// Adds Bᵀ(z − Bc) to the right side, and returns the residual.
+    fn residual(&mut self) -> Result<f64, SplineError> {
+        let Self { fit, base, right, control, .. } = self;
+        let mut sum = 0.0;
+        for_each_sample(Knots::continued(fit.sites), fit.times_s, |index, span, basis| {
+            let fitted = value(control, span, &basis);
+            let Some(sample) = fit.values.get(index) else { return };
+            let mut rest = [0.0; C];
+            let parts = rest.iter_mut().zip(sample).zip(*base).zip(fitted).enumerate();
+            for (_, (((rest, z), base), f)) in parts.filter(|(k, _)| fit.channels.contains(k)) {
+                *rest = (z - base) - f;
+                sum += *rest * *rest;
+            }
+            for (row, weight) in right.iter_mut().skip(span).zip(basis) {
+                row.iter_mut().zip(rest).for_each(|(row, rest)| *row += weight * rest);
+            }
+        })?;
+        Ok(Real::sqrt(sum / fit.times_s.len() as f64))
+    }
+}
+
+/// The mean distance between neighbours.
+fn mean_spacing(times: &[f64]) -> f64 {
+    match times {
+        [first, .., last] => (last - first) / (times.len() - 1) as f64,
+        _ => 0.0,
+    }
+}

@@ -1,6 +1,10 @@
 //! Paths made of polynomials: splines through way-points, logs.
 
+mod fly_by;
+mod log;
+mod smooth;
 mod spline;
+mod through;
 
 use schuler::trajectory::piecewise::piece::Piece;
 

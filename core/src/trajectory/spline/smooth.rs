@@ -33,8 +33,11 @@ use core::ops::Range;
 const BISECTIONS: usize = 45;
 /// τ at least, in mean spacings of the sites: noise of the highest frequency passes to 99.9 %.
 const SHORTEST: f64 = 0.1;
-/// τ at most, in mean spacings of the sites: beyond it rounding makes the equations indefinite.
-const LONGEST: f64 = 100.0;
+/// τ at most, in mean spacings of the sites: much beyond it rounding makes the equations indefinite.
+const LONGEST: f64 = 50.0;
+
+/// Solutions with the same factors, each for what the ones before left.
+const PASSES: usize = 3;
 
 /// What is to be smoothed.
 #[derive(Clone, Debug)]
@@ -140,7 +143,13 @@ impl<const C: usize> Problem<'_, '_, C> {
         let spacing = mean_spacing(sites);
         let between = mean_spacing(times);
         let (mut low, mut high) = (SHORTEST * spacing, LONGEST * spacing);
-        let mut outcome = self.solve(high, between)?;
+        // Where sites lie much closer than in the mean, the limit is lower.
+        let mut outcome = self.solve(high, between);
+        while outcome == Err(SplineError::Undetermined) && high > 2.0 * low {
+            high *= 0.5;
+            outcome = self.solve(high, between);
+        }
+        let mut outcome = outcome?;
         outcome.at_limit = true;
         if outcome.residual > noise {
             for _ in 0..BISECTIONS {
@@ -171,8 +180,8 @@ impl<const C: usize> Problem<'_, '_, C> {
         add_to(Knots::continued(self.fit.sites), lambda, self.factors);
         factor(self.factors)?;
         self.start();
-        // The first pass solves; the second makes up for what rounding in the factors lost.
-        for _ in 0..2 {
+        // The first pass solves; the others make up for what rounding in the factors lost.
+        for _ in 0..PASSES {
             self.right.fill([0.0; C]);
             self.residual()?;
             let Self { fit, factors, right, control, .. } = self;

@@ -111,9 +111,9 @@ fn what_is_no_path_is_refused_with_its_point() {
     assert_eq!(refused(&points, &never), WaypointError::NotFinite { index: 2 });
     assert_eq!(refused(&points[..1], &times[..1]), WaypointError::TooFew);
     assert_eq!(refused(&points, &times[1..]), WaypointError::Count { needed: 6 });
-    // A zigzag of 30 km in a second each.
+    // A zigzag of 16 km in a second each.
     let zigzag: Vec<Geodetic<f64>> =
-        (0..6).map(|k| at(45.0, 0.3 * f64::from(k % 2), 0.0)).collect();
+        (0..6).map(|k| at(45.0, 0.2 * f64::from(k % 2), 0.0)).collect();
     let seconds: Vec<f64> = (0..6).map(f64::from).collect();
     let error = refused(&zigzag, &seconds);
     assert!(matches!(error, WaypointError::TooSharp { index: 1, .. }), "{error}");

@@ -30,14 +30,14 @@ use crate::math::real::Real;
 use core::ops::Range;
 
 /// Bisections of the logarithm of τ, from [`SHORTEST`] to [`LONGEST`].
-const BISECTIONS: usize = 45;
+const BISECTIONS: usize = 30;
 /// τ at least, in mean spacings of the sites: noise of the highest frequency passes to 99.9 %.
 const SHORTEST: f64 = 0.1;
 /// τ at most, in mean spacings of the sites: much beyond it rounding makes the equations indefinite.
 const LONGEST: f64 = 50.0;
 
-/// Solutions with the same factors, each for what the ones before left.
-const PASSES: usize = 3;
+/// Solutions with the same factors, each for what the ones before left: while searching, and in the end.
+const PASSES: [usize; 2] = [2, 3];
 
 /// What is to be smoothed.
 #[derive(Clone, Debug)]
@@ -105,6 +105,9 @@ pub fn smooth<const C: usize>(
     if let Some(index) = fit.values.iter().position(|row| !finite(row)) {
         return Err(SplineError::NotFinite { index });
     }
+    if count < 3 {
+        return Err(SplineError::Undetermined);
+    }
     let needed = fit.sites.len() + EXTRA;
     let no_room = SplineError::NoRoom { needed };
     let mut problem = Problem {
@@ -139,25 +142,24 @@ impl<const C: usize> Problem<'_, '_, C> {
     }
 
     fn search(&mut self, noise: f64) -> Result<Smoothing, SplineError> {
-        let (sites, times) = (self.fit.sites, self.fit.times_s);
-        let spacing = mean_spacing(sites);
-        let between = mean_spacing(times);
+        let spacing = mean_spacing(self.fit.sites);
+        let [rough, fine] = PASSES;
         let (mut low, mut high) = (SHORTEST * spacing, LONGEST * spacing);
         // Where sites lie much closer than in the mean, the limit is lower.
-        let mut outcome = self.solve(high, between);
+        let mut outcome = self.solve(high, fine);
         while outcome == Err(SplineError::Undetermined) && high > 2.0 * low {
             high *= 0.5;
-            outcome = self.solve(high, between);
+            outcome = self.solve(high, fine);
         }
         let mut outcome = outcome?;
         outcome.at_limit = true;
         if outcome.residual > noise {
             for _ in 0..BISECTIONS {
                 let middle = Real::sqrt(low * high);
-                let residual = self.solve(middle, between)?.residual;
+                let residual = self.solve(middle, rough)?.residual;
                 *if residual < noise { &mut low } else { &mut high } = middle;
             }
-            outcome = self.solve(low, between)?;
+            outcome = self.solve(low, fine)?;
             // A residual that stays above the noise leaves the lower end where it was.
             if outcome.residual > 1.001 * noise {
                 return Err(SplineError::TooStiff);
@@ -173,15 +175,15 @@ impl<const C: usize> Problem<'_, '_, C> {
     }
 
     /// Solves for a τ and leaves the differences of the control points in `control`.
-    fn solve(&mut self, time_constant_s: f64, between: f64) -> Result<Smoothing, SplineError> {
+    fn solve(&mut self, time_constant_s: f64, passes: usize) -> Result<Smoothing, SplineError> {
         let square = time_constant_s * time_constant_s;
-        let lambda = square * square * square / between;
+        let lambda = square * square * square / mean_spacing(self.fit.times_s);
         self.factors.copy_from_slice(self.gram);
         add_to(Knots::continued(self.fit.sites), lambda, self.factors);
         factor(self.factors)?;
         self.start();
         // The first pass solves; the others make up for what rounding in the factors lost.
-        for _ in 0..PASSES {
+        for _ in 0..passes {
             self.right.fill([0.0; C]);
             self.residual()?;
             let Self { fit, factors, right, control, .. } = self;

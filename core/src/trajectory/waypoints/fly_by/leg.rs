@@ -6,7 +6,7 @@
 //! Source: Williams, *Geometry of Navigation* (1998), ch. 4 (great ellipse); Karney, Algorithms for geodesics,
 //! *Journal of Geodesy* 87 (2013) 43–55 (reduced length).
 
-use super::{FlyBy, WaypointError, at_start, lead};
+use super::{FlyBy, WaypointError, lead};
 use crate::earth::{FLATTENING, SEMI_MAJOR_AXIS};
 use crate::math::real::Real;
 use crate::math::vector::Vector;
@@ -20,6 +20,8 @@ use crate::trajectory::spline::place::distance;
 const MISS: f64 = 1e-7;
 /// Tries at most; a geodesic takes three, a long rhumb line more.
 const TRIES: usize = 30;
+/// A smaller difference of height, m, is left to the next leg.
+const LEAST_HEIGHT: f64 = 1e-6;
 /// Part of a leg that a change of speed takes, and part of the rest that a climb takes.
 const SHARE: f64 = 0.6;
 
@@ -31,7 +33,6 @@ pub(super) struct Leg {
     /// The far point's place.
     pub target: Track,
     line: Line,
-    start: State,
     accelerate: Option<Segment>,
     climb: Option<Segment>,
 }
@@ -48,8 +49,8 @@ pub(super) struct Aim {
 }
 
 impl Leg {
-    /// The leg to a point.
-    pub fn new(plan: &FlyBy<'_>, index: usize) -> Result<Self, WaypointError> {
+    /// The leg to a point, from the height at which the path is.
+    pub fn new(plan: &FlyBy<'_>, index: usize, altitude: f64) -> Result<Self, WaypointError> {
         let both = index
             .checked_sub(1)
             .and_then(|before| Some((plan.points.get(before..)?, plan.speeds_m_s.get(before..)?)));
@@ -65,9 +66,9 @@ impl Leg {
             accelerate = Some(Segment::Accelerate { speed: fast, pace: Pace::Blend(blend_s) });
             free *= 1.0 - SHARE;
         }
-        let height = to.altitude - from.altitude;
+        let height = to.altitude - altitude;
         let mut climb = None;
-        if height != 0.0 {
+        if !height.is_within(LEAST_HEIGHT) {
             // A third of the time to bend up, a third to bend back: the gentlest of its kind.
             let time_s = SHARE * free / fast;
             let blend_s = time_s / 3.0;
@@ -75,12 +76,7 @@ impl Leg {
             climb = Some(Segment::Climb { height, rate, blend_s });
         }
         let target = Track::new(to, 0.0);
-        Ok(Self { index, target, line: plan.line, start: at_start(plan), accelerate, climb })
-    }
-
-    /// Where the whole path begins.
-    pub fn first_state(&self) -> State {
-        self.start
+        Ok(Self { index, target, line: plan.line, accelerate, climb })
     }
 
     /// The changes of speed and height.

@@ -92,26 +92,19 @@ pub fn fly_by(plan: &FlyBy<'_>, segments: &mut [Segment]) -> Result<(Start, usiz
             count += 1;
         }
     };
-    let mut state = None;
-    let mut start = None;
+    let (mut state, mut start) = (at_start(plan), None);
     for index in 1..plan.points.len() {
-        let leg = Leg::new(plan, index)?;
-        let first = match state {
-            Some(state) => state,
-            None => leg.first_state(),
-        };
+        let leg = Leg::new(plan, index, state.track.altitude.hi)?;
+        let aim = leg.aim(state)?;
         // The first leg begins with its course, the others with that of the turn before.
-        let aim = leg.aim(first)?;
-        let first = if index == 1 { aim.state } else { first };
-        if start.is_none() {
-            let course = first.track.course();
-            start =
-                plan.points.first().map(|&position| Start { position, course, speed: first.speed });
+        if let (1, Some(&position)) = (index, plan.points.first()) {
+            state = aim.state;
+            start = Some(Start { position, course: state.track.course(), speed: state.speed });
         }
         leg.changes().into_iter().flatten().for_each(&mut put);
-        let before = leg.before(&first)?;
+        let before = leg.before(&state)?;
         let turn = if index + 1 < plan.points.len() {
-            let next = Leg::new(plan, index + 1)?;
+            let next = Leg::new(plan, index + 1, leg.target.altitude.hi)?;
             corner::turn(plan, &leg, &next, &before, aim.distance)?
         } else {
             None
@@ -125,12 +118,11 @@ pub fn fly_by(plan: &FlyBy<'_>, segments: &mut [Segment]) -> Result<(Start, usiz
         }
         let straight = Segment::Straight { length: Length::Distance(straight), line: plan.line };
         put(straight);
-        let mut end = leg.flown(&before, &straight)?;
+        state = leg.flown(&before, &straight)?;
         if let Some(turn) = turn {
             put(turn);
-            end = leg.flown(&end, &turn)?;
+            state = leg.flown(&state, &turn)?;
         }
-        state = Some(end);
     }
     start.map(|start| (start, count)).ok_or(WaypointError::TooFew)
 }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`cli`] | the command line, as plain requests |
 //! | [`run`], [`emulate`], [`replay`] | one flight, one stream, one recording |
+//! | [`trajectory`], [`scenes`] | what a flight is like, and what there is to fly |
 //! | [`frontier`], [`stress`], [`ensemble`], [`audit`], [`hil`] | the experiments, which do not know each other |
 //! | [`report`] | what a flight leaves: tables, files, charts, pages |
 
@@ -16,4 +17,6 @@ pub mod hil;
 pub mod replay;
 pub mod report;
 pub mod run;
+pub mod scenes;
 pub mod stress;
+pub mod trajectory;

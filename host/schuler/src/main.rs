@@ -2,9 +2,10 @@
 
 use clap::Parser;
 use schuler_host::cli::{Cli, Command};
-use schuler_host::{audit, emulate, ensemble, frontier, hil, replay, run, stress};
-use schuler_simulator::output::{say, stop};
-use schuler_simulator::scene;
+use schuler_host::{
+    audit, emulate, ensemble, frontier, hil, replay, run, scenes, stress, trajectory,
+};
+use schuler_simulator::output::stop;
 use schuler_simulator::simulate::FlightError;
 use std::process::ExitCode;
 
@@ -20,10 +21,8 @@ fn main() -> ExitCode {
         Command::Audit(command) => audit::audit(&command),
         Command::Hil(args) => hil::hil(&args),
         Command::Twin => hil::serve::serve().map_err(FlightError::from),
-        Command::Scenes => {
-            let lines = scene::builtin::names().map(|(name, title)| format!("{name:14} {title}\n"));
-            say(&lines.collect::<String>()).map_err(FlightError::from)
-        }
+        Command::Scenes(args) => scenes::scenes(&args).map_err(FlightError::from),
+        Command::Trajectory(args) => trajectory::trajectory(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -10,6 +10,7 @@
 //! | `ensemble` | many runs |
 //! | `frontier` | run time against error |
 //! | `hil` | a target and its twin |
+//! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
 mod audit;
@@ -25,3 +26,4 @@ mod rest;
 mod scene;
 mod stochastic;
 mod stress;
+mod summaries;

@@ -1,5 +1,6 @@
 //! TOML read key by key, so that every error message has its line.
 
+use super::key::{Key, Table};
 use super::{Complaint, InputError, Range};
 use std::ops::Range as Span;
 use toml::de::{DeTable, DeValue};
@@ -132,6 +133,34 @@ impl<'a> Section<'a> {
         self.get(key).map_or(Ok(absent), |value| value.number(range))
     }
 
+    /// The number of a key, if it is there.
+    pub fn read(&self, key: &Key) -> Result<Option<f64>, InputError> {
+        self.get(key.name).map(|value| value.number(&key.range())).transpose()
+    }
+
+    /// The number of a key that must be there.
+    pub fn need(&self, key: &Key) -> Result<f64, InputError> {
+        self.number(key.name, &key.range())
+    }
+
+    /// A table of a table's keys, if it is there.
+    pub fn table(&self, key: &str, table: &Table) -> Result<Option<Self>, InputError> {
+        self.section(key, &table.names())
+    }
+
+    /// A complaint about the whole.
+    pub fn error(&self, complaint: Complaint) -> InputError {
+        self.source.error(self.start, self.prefix.trim_end_matches('.'), complaint)
+    }
+
+    /// A complaint about one of its keys, where that stands if it is there.
+    pub fn blame(&self, key: &str, complaint: Complaint) -> InputError {
+        match self.get(key) {
+            Some(value) => value.error(complaint),
+            None => self.source.error(self.start, &self.name(key), complaint),
+        }
+    }
+
     /// A table with these keys, if it is there.
     pub fn section(&self, key: &str, known: &[&str]) -> Result<Option<Self>, InputError> {
         self.get(key).map(|value| value.section(known)).transpose()
@@ -192,6 +221,14 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// True or false.
+    pub fn truth(&self, accepted: &str) -> Result<bool, InputError> {
+        match self.value {
+            DeValue::Boolean(truth) => Ok(*truth),
+            _ => Err(self.mismatch(accepted)),
+        }
+    }
+
     /// Text.
     pub fn text(&self, accepted: &str) -> Result<&'a str, InputError> {
         self.value.as_str().ok_or_else(|| self.mismatch(accepted))
@@ -222,6 +259,11 @@ impl<'a> Value<'a> {
     /// Whether it is a table.
     pub fn is_table(&self) -> bool {
         self.value.is_table()
+    }
+
+    /// Whether it is a list.
+    pub fn is_list(&self) -> bool {
+        self.value.is_array()
     }
 
     /// Whether it is text.

@@ -1,6 +1,7 @@
 //! Errors in a user's input, with their place.
 
 pub mod document;
+pub mod key;
 
 use std::fmt::{self, Display, Formatter};
 

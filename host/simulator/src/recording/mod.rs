@@ -3,16 +3,21 @@
 pub mod clock;
 pub mod csv;
 pub mod habits;
+pub mod heights;
+pub mod lag;
 pub mod line;
 pub mod measure;
 pub mod navigation;
 pub mod periods;
 pub mod psins;
 pub mod quadrature;
+pub mod reference;
 pub mod rows;
 pub mod samples;
 pub mod survey;
+pub mod table;
 pub mod timeline;
+pub mod track;
 pub mod writer;
 
 pub use schuler::alignment::units::Kind;

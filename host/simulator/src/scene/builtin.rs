@@ -41,6 +41,11 @@ pub fn scene(name: &str) -> Option<Scene> {
     SCENES.iter().find(|scene| scene.0 == name).map(|&(name, text)| load(name, text))
 }
 
+/// The text of a built-in scene.
+pub fn text(name: &str) -> Option<&'static str> {
+    SCENES.iter().find(|scene| scene.0 == name).map(|&(_, text)| text)
+}
+
 fn load(name: &str, text: &str) -> Scene {
     let file = format!("{name}.toml");
     match parse::scene(&file, text) {

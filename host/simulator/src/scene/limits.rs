@@ -1,5 +1,7 @@
 //! The limits of a scene, the same for its file and for the command line.
 
+mod path;
+
 use super::build::HARMONICS;
 use super::{Channel, Scene, Trajectory, WindowShape};
 use crate::input::{Complaint, Range};
@@ -51,6 +53,18 @@ pub fn window(history: u64, block: u64, lookahead: u64) -> Result<WindowShape, C
     })
 }
 
+/// A window's shape from text: three counts with commas between, or none of "auto".
+pub fn window_of(text: &str) -> Result<Option<WindowShape>, Complaint> {
+    if text == "auto" {
+        return Ok(None);
+    }
+    let wrong = || Complaint::new(format!("\"{text}\" is not a window"), windows());
+    let counts: Vec<u64> =
+        text.split(',').map(|n| n.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
+    let [history, block, lookahead] = counts[..] else { return Err(wrong()) };
+    window(history, block, lookahead).map(Some)
+}
+
 impl Channel {
     /// The largest magnitude of the n-th derivative (n > 0), at most.
     fn derivative_bound(&self, n: i32) -> f64 {
@@ -88,6 +102,10 @@ fn sampled(motion: &Trajectory, rate_hz: f64) -> Result<(), (&'static str, Compl
     let excess = course.bound().bandwidth / (MOST_PHASE * rate_hz);
     if !exceeds(excess, 1.0) {
         return Ok(());
+    }
+    if let Some(route) = &motion.route {
+        let what = format!("is too fast for {rate_hz} samples per second");
+        return Err((route.from.key(), Complaint::new(what, "a higher rate_hz")));
     }
     let fastest = |channel: &Channel| {
         channel
@@ -132,7 +150,9 @@ pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
             format!("what gives from 1 to {MAX_SAMPLES} samples"),
         );
     }
+    path::check(scene)?;
     let motion = &scene.trajectory;
+    path::mounting(motion)?;
     let named = motion.named();
     let harmonics: usize = named.iter().map(|(_, channel)| channel.harmonics.len()).sum();
     if harmonics > HARMONICS {
@@ -156,18 +176,21 @@ pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
     }
     sampled(motion, scene.rate_hz)?;
     let extent = motion.altitude.extent(scene.duration_s);
-    for altitude in extent {
+    for altitude in extent.into_iter().filter(|_| motion.path.is_none()) {
         if let Err(mut complaint) = ALTITUDE_M.check(altitude) {
             complaint.what = format!("may reach {altitude} m, which is out of range");
             return Err(("trajectory.altitude_m", complaint));
         }
     }
+    jitter(scene)
+}
+
+/// Refuses a jitter that would change the order of samples.
+fn jitter(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
     if scene.link.jitter_s * scene.rate_hz > MAX_JITTER {
-        return blame(
-            "link.jitter_s",
-            format!("{} s is more than a tenth of a sample", scene.link.jitter_s),
-            format!("seconds, from 0 to {}", MAX_JITTER / scene.rate_hz),
-        );
+        let what = format!("{} s is more than a tenth of a sample", scene.link.jitter_s);
+        let accepted = format!("seconds, from 0 to {}", MAX_JITTER / scene.rate_hz);
+        return Err(("link.jitter_s", Complaint::new(what, accepted)));
     }
     Ok(())
 }

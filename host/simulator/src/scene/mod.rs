@@ -4,8 +4,10 @@
 
 pub mod build;
 pub mod builtin;
+pub mod keys;
 pub mod limits;
 pub mod parse;
+pub mod route;
 pub mod terms;
 pub mod window;
 
@@ -17,7 +19,9 @@ pub use schuler::strapdown::block::shape::WindowShape;
 
 use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
+use route::Route;
 use std::path;
+use std::sync::Arc;
 
 /// Everything that one run needs to know.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +30,8 @@ pub struct Scene {
     pub name: String,
     /// One line for people.
     pub title: String,
+    /// SHA-256 of the text that it was read from, hex.
+    pub text_sha256: String,
     /// Length, s.
     pub duration_s: f64,
     /// Inertial samples per second.
@@ -94,6 +100,8 @@ pub fn blame(name_or_path: &str, key: &str, complaint: Complaint) -> InputError 
 pub struct Trajectory {
     /// The path that is flown; the channels are not asked then.
     pub path: Option<Path>,
+    /// What that was made from.
+    pub route: Option<Arc<Route>>,
     /// Roll γ.
     pub roll: Channel,
     /// Pitch θ.
@@ -106,6 +114,34 @@ pub struct Trajectory {
     pub longitude: Channel,
     /// Altitude h.
     pub altitude: Channel,
+    /// Where the unit sits in what moves so.
+    pub mounting: Mounting,
+}
+
+/// Where the unit sits in its vehicle; all of it 0 is the unit itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mounting {
+    /// From the reference point of the path, forward, right, down, m.
+    pub lever_arm_m: [f64; 3],
+    /// What shakes it.
+    pub vibration: Vibration,
+}
+
+/// What shakes a unit in its vehicle: angles in rad, added to its attitude, and lengths in m, added to its lever.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Vibration {
+    /// Roll.
+    pub roll: Channel,
+    /// Pitch.
+    pub pitch: Channel,
+    /// Yaw.
+    pub yaw: Channel,
+    /// Forward.
+    pub forward: Channel,
+    /// To the right.
+    pub right: Channel,
+    /// Down.
+    pub down: Channel,
 }
 
 /// offset + rate·t + Σ harmonics.

@@ -3,8 +3,10 @@
 mod sensors;
 mod trajectory;
 
+use super::keys::general as keys;
 use super::{
-    Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Vertical, WindowShape,
+    Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Trajectory,
+    Vertical, WindowShape,
     limits,
 };
 use crate::flight::Nine;
@@ -12,39 +14,27 @@ use crate::input::document::{Document, Section, Value};
 use crate::input::{Complaint, InputError, Range};
 use crate::navigator;
 use crate::units::ARCSECOND;
+use sha2::{Digest as _, Sha256};
 use std::path::Path;
 
-const KEYS: &[&str] = &[
-    "title",
-    "duration_s",
-    "rate_hz",
-    "seed",
-    "trajectory",
-    "gyro",
-    "accelerometer",
-    "initial_error",
-    "navigator",
-    "link",
-];
-const NAVIGATOR: &[&str] = &["frame", "precision", "algorithm", "window", "vertical", "gap"];
 /// More samples than any window spans.
 const MOST_SAMPLES: u64 = 1000;
-const WINDOW: &[&str] = &["history", "block", "lookahead"];
-const LINK: &[&str] = &["loss", "jitter_s"];
 
 /// A scene from its text; `file` names it in errors, and its stem is the scene's name.
 pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     let document = Document::parse(file, text)?;
-    let root = document.root(KEYS)?;
+    let root = document.root(&keys::ROOT.names())?;
     let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let title = root.get("title").map(|v| v.text("text")).transpose()?;
+    let trajectory = trajectory::read(&root, file)?;
     let scene = Scene {
         title: title.unwrap_or(&name).to_owned(),
         name,
-        duration_s: root.number("duration_s", &limits::DURATION_S)?,
+        text_sha256: hash(text),
+        duration_s: duration_s(&root, &trajectory)?,
         rate_hz: root.number("rate_hz", &limits::RATE_HZ)?,
         seed: root.get("seed").map_or(Ok(1), |v| v.integer(0, u64::MAX))?,
-        trajectory: trajectory::read(&root)?,
+        trajectory,
         gyro: sensors::gyro(&root)?,
         accelerometer: sensors::accelerometer(&root)?,
         initial_error: initial_error(&root)?,
@@ -57,10 +47,23 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     Ok(scene)
 }
 
+/// The length that is given, or that of the path.
+fn duration_s(root: &Section<'_>, trajectory: &Trajectory) -> Result<f64, InputError> {
+    match (root.read(&keys::DURATION)?, &trajectory.path) {
+        (Some(duration_s), _) => Ok(duration_s),
+        (None, Some(path)) => Ok(path.end_s()),
+        (None, None) => root.need(&keys::DURATION),
+    }
+}
+
+/// SHA-256, as `sha256sum` prints it.
+fn hash(text: &str) -> String {
+    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
-    let Some(section) = root.section("initial_error", &Nine::NAMES)? else {
-        return Ok(InitialError::default());
-    };
+    let section = root.section("initial_error", &Nine::NAMES).map_err(renamed)?;
+    let Some(section) = section else { return Ok(InitialError::default()) };
     let three = |first: usize, range: Range, unit| -> Result<[f64; 3], InputError> {
         let get = |key: usize| Ok(section.number_or(Nine::NAMES[key], 0.0, &range)? * unit);
         Ok([get(first)?, get(first + 1)?, get(first + 2)?])
@@ -75,9 +78,23 @@ fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
     })
 }
 
+/// Tells the name of today where a key has one of before.
+fn renamed(mut error: InputError) -> InputError {
+    let key = error.key.as_deref().unwrap_or_default();
+    let former = Nine::FORMER.iter().zip(&Nine::NAMES[6..]);
+    let found =
+        former.zip(["north", "east", "down"]).find(|((former, _), _)| key.ends_with(*former));
+    if let Some(((_, name), axis)) = found {
+        let what =
+            format!("is not a key of [initial_error]: the rotation about {axis} is `{name}`");
+        error.complaint = Complaint::new(what, Nine::NAMES.join(", "));
+    }
+    error
+}
+
 fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {
     let default = Navigator::default();
-    let Some(section) = root.section("navigator", NAVIGATOR)? else { return Ok(default) };
+    let Some(section) = root.table("navigator", &keys::NAVIGATOR)? else { return Ok(default) };
     fn choice<T: Copy>(
         section: &Section<'_>,
         key: &str,
@@ -98,20 +115,21 @@ fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {
 
 fn window(value: &Value<'_>) -> Result<Option<WindowShape>, InputError> {
     if value.is_text() {
-        return value.choice(&[("auto", None)]);
+        let text = value.text(&limits::windows())?;
+        return limits::window_of(text).map_err(|complaint| value.error(complaint));
     }
     if !value.is_table() {
         let complaint = Complaint::new("is neither text nor a table", limits::windows());
         return Err(value.error(complaint));
     }
-    let section = value.section(WINDOW)?;
+    let section = value.section(&keys::WINDOW.names())?;
     let get = |key| section.require(key, "a number of samples")?.integer(0, MOST_SAMPLES);
     let shape = limits::window(get("history")?, get("block")?, get("lookahead")?);
     shape.map(Some).map_err(|complaint| value.error(complaint))
 }
 
 fn link(root: &Section<'_>) -> Result<Link, InputError> {
-    let Some(section) = root.section("link", LINK)? else { return Ok(Link::default()) };
+    let Some(section) = root.table("link", &keys::LINK)? else { return Ok(Link::default()) };
     Ok(Link {
         loss: section.number_or("loss", 0.0, &limits::LOSS)?,
         jitter_s: section.number_or("jitter_s", 0.0, &Range::NOT_NEGATIVE)?,

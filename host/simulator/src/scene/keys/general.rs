@@ -1,0 +1,75 @@
+//! The top level of a scene, its navigator and its link.
+
+use crate::input::Range;
+use crate::input::key::Takes::{Number, Said};
+use crate::scene::limits;
+use crate::table;
+
+table! {
+    /// The top level.
+    ROOT = "The top level", "What flies, for how long, and how often it is sampled.";
+    TITLE = "title": Said("text"), "the file's name", "one line for people";
+    DURATION = "duration_s": Number(limits::DURATION_S), "the path's length; with channels it must be there", "length of the flight";
+    RATE = "rate_hz": Number(limits::RATE_HZ), "", "samples of the inertial unit per second";
+    SEED = "seed": Said("an integer from 0 to 18446744073709551615"), "1", "seed of everything random";
+    TRAJECTORY = "trajectory": Said("a table"), "rest at 0° N 0° E", "the true motion";
+    GYROS = "gyro": Said("a table"), "perfect gyros", "the errors of the gyros";
+    ACCELEROMETERS = "accelerometer": Said("a table"), "perfect accelerometers", "the errors of the accelerometers";
+    INITIAL_ERROR = "initial_error": Said("a table"), "none", "what the navigator's start is off by";
+    NAVIGATION = "navigator": Said("a table"), "its defaults", "how the samples are navigated";
+    LINKED = "link": Said("a table"), "nothing is lost", "what happens to samples on their way";
+}
+
+table! {
+    /// How it is navigated.
+    NAVIGATOR = "[navigator]", "How the samples are navigated.";
+    FRAME = "frame": Said("\"local-level\", \"earth-fixed\""), "\"local-level\"", "axes of the mechanization";
+    PRECISION = "precision": Said("\"f64\", \"f32\", \"f32x2\""), "\"f64\"", "arithmetic of the navigator";
+    ALGORITHM = "algorithm": Said("\"taylor\", \"textbook\""), "\"taylor\"", "method of integration";
+    SHAPE = "window": Said("\"auto\", \"H,B,A\" as in \"0,4,0\", or a table"), "\"auto\": the plan chooses", "the samples that taylor looks at";
+    VERTICAL = "vertical": Said("\"free\", \"held\""), "\"free\"", "held: height and vertical velocity come from the truth";
+    GAP = "gap": Said("\"error\", \"bridge\""), "\"error\"", "what a missing sample does";
+}
+
+table! {
+    /// A window.
+    WINDOW = "window = { … }", "The samples that the taylor algorithm looks at.";
+    HISTORY = "history": Said("an integer"), "", "samples before the block";
+    BLOCK = "block": Said("an integer"), "", "samples of the block";
+    LOOKAHEAD = "lookahead": Said("an integer"), "", "samples after the block";
+}
+
+table! {
+    /// A link.
+    LINK = "[link]", "What happens to samples on their way.";
+    LOSS = "loss": Number(limits::LOSS), "0", "the share of samples that is lost";
+    JITTER = "jitter_s": Number(Range::NOT_NEGATIVE), "0", "rms of the time of a sample; at most a tenth of a sample";
+}
+
+const SECONDS: Range = Range { accepted: "seconds, above 0", ..Range::POSITIVE };
+
+table! {
+    /// The process of the gyros, beside the terms.
+    GYRO = "[gyro]", "The errors of the gyros: the keys of \"Errors of the sensors\", and one more.";
+    GYRO_PROCESS = "gauss_markov": Said("{ rms_deg_h, correlation_s }"), "none", "a first-order Gauss-Markov bias";
+}
+
+table! {
+    /// The process of the accelerometers, beside the terms.
+    ACCELEROMETER = "[accelerometer]", "The errors of the accelerometers: the keys of \"Errors of the sensors\", and one more.";
+    ACCELEROMETER_PROCESS = "gauss_markov": Said("{ rms_ug, correlation_s }"), "none", "a first-order Gauss-Markov bias";
+}
+
+table! {
+    /// The process of the gyros.
+    GYRO_MARKOV = "[gyro] gauss_markov = { … }", "A first-order Gauss-Markov bias; one number, or [x, y, z].";
+    GYRO_RMS = "rms_deg_h": Number(Range::NOT_NEGATIVE), "", "its rms, °/h";
+    GYRO_TIME = "correlation_s": Number(SECONDS), "", "its correlation time";
+}
+
+table! {
+    /// The process of the accelerometers.
+    ACCELEROMETER_MARKOV = "[accelerometer] gauss_markov = { … }", "A first-order Gauss-Markov bias; one number, or [x, y, z].";
+    ACCELEROMETER_RMS = "rms_ug": Number(Range::NOT_NEGATIVE), "", "its rms, µg";
+    ACCELEROMETER_TIME = "correlation_s": Number(SECONDS), "", "its correlation time";
+}

@@ -1,0 +1,59 @@
+//! Every key of a scene, once: the parser asks here what a table may have, and the reference is written from it.
+//!
+//! | file | tables |
+//! |---|---|
+//! | [`general`] | the top level, navigator, link |
+//! | [`motion`] | channels, vibration, lever arm |
+//! | [`path`] | segments, way-points, logs |
+
+pub mod general;
+pub mod motion;
+pub mod path;
+
+use super::terms::{Key as Term, TERMS};
+use crate::flight::Nine;
+use crate::input::key::Table;
+use std::fmt::Write as _;
+
+const TABLES: [&Table; 17] = [
+    &general::ROOT,
+    &motion::TRAJECTORY,
+    &motion::CHANNEL,
+    &motion::HARMONIC,
+    &motion::VIBRATION,
+    &path::START,
+    &path::SEGMENT,
+    &path::WAYPOINTS,
+    &path::POINT,
+    &path::LOG,
+    &general::NAVIGATOR,
+    &general::WINDOW,
+    &general::LINK,
+    &general::GYRO,
+    &general::ACCELEROMETER,
+    &general::GYRO_MARKOV,
+    &general::ACCELEROMETER_MARKOV,
+];
+
+/// The reference of all keys, in Markdown.
+pub fn reference() -> String {
+    let mut text = "# Keys of a scene\n\nA scene is a TOML file; `schuler scenes NAME` prints one to start \
+                    from. A key that is not listed here is refused, with its file and line.\n"
+        .to_owned();
+    for table in TABLES {
+        text += "\n";
+        text += &table.reference();
+    }
+    text += "\n## Errors of the sensors\n\nEach takes one number for all axes, or [x, y, z]; what is absent is \
+             perfect.\n\n| error | in [gyro] | in [accelerometer] | takes |\n|---|---|---|---|\n";
+    let name = |key: Option<Term>| key.map_or(String::new(), |key| format!("`{}`", key.key));
+    for term in TERMS {
+        let (gyro, accelerometer) = (name(term.gyro), name(term.accelerometer));
+        let takes = term.range.accepted;
+        // A String takes all that is written.
+        let _ = writeln!(text, "| {} | {gyro} | {accelerometer} | {takes} |", term.name);
+    }
+    text += "\n## [initial_error]\n\nWhat the navigator's start is off by; 0 where absent: ";
+    let names: Vec<_> = Nine::NAMES.iter().map(|name| format!("`{name}`")).collect();
+    text + &names.join(", ") + ".\n"
+}

@@ -1,5 +1,6 @@
 //! Smoothing: against a dense solution, and what becomes of noise.
 
+use super::left_of_noise;
 use schuler::trajectory::spline::basis::Knots;
 use schuler::trajectory::spline::local::coefficients;
 use schuler::trajectory::spline::smooth::{Fit, Smoothing, Workspace, smooth};
@@ -70,7 +71,8 @@ fn smoothing_is_the_dense_solution() {
     let values = noisy(&times, 0.1, 4);
     let (smoothing, control) = solve(&sites, &times, &values, 0.1).unwrap();
     assert!(!smoothing.at_limit);
-    assert!((smoothing.residual - 0.1).abs() < 1e-8, "{smoothing:?}");
+    let expected = left_of_noise(0.1, &times, smoothing.time_constant_s);
+    assert!((smoothing.residual - expected).abs() < 1e-8, "{smoothing:?} {expected}");
 
     let n = sites.len() + EXTRA;
     let knots = |j: usize| STEP * (j as f64 - 7.0);

@@ -15,8 +15,12 @@ use crate::trajectory::segment::state::State;
 
 /// A turn by less is left out, rad: the next leg is aimed from where the path is.
 const LEAST_ANGLE: f64 = 1e-9;
-/// Newton's steps: the first leaves less than 1 mm, the others what rounding leaves.
-const STEPS: usize = 4;
+/// Newton's steps at most: the first leaves less than 1 mm, five or six what rounding leaves.
+const STEPS: usize = 12;
+/// A turn ends on its next leg to this, m.
+const NEAR: f64 = 1e-6;
+/// It ends in the direction of the next leg to this, rad.
+const NEAR_ANGLE: f64 = 1e-12;
 
 /// How much of a leg a turn takes, in a plane.
 #[derive(Clone, Copy, Debug)]
@@ -93,8 +97,12 @@ pub(super) fn turn(
         }
         let end = leg.flown(before, &straight(length))?;
         let end = leg.flown(&end, &turn(angle))?;
-        lead += offset(&end).dot(next_right) / slope;
-        angle += next.aim(end)?.turned;
+        let (aside, missing) = (offset(&end).dot(next_right), next.aim(end)?.turned);
+        lead += aside / slope;
+        angle += missing;
+        if aside.is_within(NEAR) && missing.is_within(NEAR_ANGLE) {
+            break;
+        }
     }
     Ok(Some((distance - lead, turn(angle))))
 }

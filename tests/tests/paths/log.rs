@@ -116,7 +116,7 @@ fn rows_of(count: usize) -> (Vec<f64>, Vec<Geodetic<f64>>, Vec<Euler<f64>>) {
         rows.0.push(t);
         rows.1.push(Geodetic {
             latitude: 0.7 + 3e-4 * turn.sin(),
-            longitude: 3.1415 + 4e-4 * (1.0 - turn.cos()),
+            longitude: 3.1414 + 4e-4 * (1.0 - turn.cos()),
             altitude: 100.0 + 5.0 * (0.1 * t).sin(),
         });
         rows.2.push(Euler { roll: 0.3, pitch: 0.02 * (0.2 * t).sin(), yaw: turn });
@@ -186,8 +186,8 @@ fn parts_are_smoothed_apart() {
     }
     let mut height = 0.0;
     for (piece, (place, clean)) in path.iter().zip(positions.iter().zip(&places)).skip(20) {
-        for c in 0..3 {
-            assert!(RADIUS * (piece.channel(c, piece.start_s) - place[c]).abs() < 5e-9);
+        for (c, x) in place[..3].iter().enumerate() {
+            assert!(RADIUS * (piece.channel(c, piece.start_s) - x).abs() < 5e-9);
         }
         height += (piece.channel(3, piece.start_s) - clean.altitude).powi(2) / 580.0;
     }

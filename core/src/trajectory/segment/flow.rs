@@ -133,7 +133,7 @@ impl Track {
         }
         let least = span_s / longest * (1.0 - 1e-12);
         // Rounded up.
-        let near = least.round();
+        let near = Real::round(least);
         let count = if near < least { near + 1.0 } else { near };
         count.max(1.0)
     }

@@ -15,7 +15,11 @@ pub fn describe(scene: &Scene, portrait: &Portrait) -> String {
     };
     let range = |of: &Extremes, unit: f64, symbol: &str| {
         let [least, most] = [of.least, of.most].map(|x| number::short(x / unit));
-        if least == most { format!("{least} {symbol}") } else { format!("{least} to {most} {symbol}") }
+        if least == most {
+            format!("{least} {symbol}")
+        } else {
+            format!("{least} to {most} {symbol}")
+        }
     };
     line("length", length(portrait.length_m));
     line("from", place(portrait.start));
@@ -34,7 +38,11 @@ pub fn describe(scene: &Scene, portrait: &Portrait) -> String {
 }
 
 fn length(metres: f64) -> String {
-    if metres < 10_000.0 { format!("{} m", number::short(metres)) } else { format!("{:.3} km", metres / 1000.0) }
+    if metres < 10_000.0 {
+        format!("{} m", number::short(metres))
+    } else {
+        format!("{:.3} km", metres / 1000.0)
+    }
 }
 
 fn place(at: schuler::earth::Geodetic<f64>) -> String {

@@ -157,11 +157,9 @@ fn at(error: WaypointError) -> (Option<usize>, Complaint) {
             format!("takes {} m/s since the point before", short(speed_m_s)),
             "at most 1e5 m/s",
         ),
-        WaypointError::TooSharp { index, acceleration_m_s2 } => (
-            index,
-            format!("takes {} m/s² near it", short(acceleration_m_s2)),
-            "at most 1e5 m/s²",
-        ),
+        WaypointError::TooSharp { index, acceleration_m_s2 } => {
+            (index, format!("takes {} m/s² near it", short(acceleration_m_s2)), "at most 1e5 m/s²")
+        }
         other => return (None, Complaint::new(other.to_string(), "")),
     };
     (Some(index), Complaint::new(what, accepted))

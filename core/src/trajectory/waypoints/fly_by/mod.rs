@@ -182,9 +182,12 @@ fn check_turns(plan: &FlyBy<'_>) -> Result<(), WaypointError> {
             // The turn that needs more of the leg is to change.
             let (index, lead) =
                 if last.length() > next.length() { (index - 1, last) } else { (index, next) };
-            let tangents = last.tangent + next.tangent;
-            let radius = (length - last.blends - next.blends) / tangents;
-            let bank = Real::atan2(lead.speed * lead.speed, lead.gravity * radius);
+            // Σ tan ½θ v²/(g tan bank) = what rolling leaves of the leg
+            let level = |lead: Lead| lead.tangent * lead.speed * lead.speed / lead.gravity;
+            let bent = length - last.blends - next.blends;
+            let bank = Real::atan2(level(last) + level(next), bent);
+            let radius =
+                lead.speed * lead.speed * bent / (lead.gravity * (level(last) + level(next)));
             // Not even the steepest turn fits, or the radius would be negative.
             if !(radius > 0.0 && bank <= LARGEST_BANK) {
                 return Err(WaypointError::NoTurn { index });

@@ -13,7 +13,9 @@
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
+//! | [`allan`] | sensors identified by their Allan deviation |
 
+pub mod allan;
 pub mod course;
 pub mod emulator;
 pub mod ensemble;

@@ -13,10 +13,11 @@
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
-//! | [`allan`] | sensors identified by their Allan deviation |
+//! | [`allan`], [`datasheet`] | sensors identified by their Allan deviation, or by their data sheet |
 
 pub mod allan;
 pub mod course;
+pub mod datasheet;
 pub mod emulator;
 pub mod ensemble;
 pub mod flight;

@@ -17,6 +17,9 @@ const ROUNDS: usize = 6;
 /// How often correlations are taken for less before there are none.
 const MOST_SHRUNK: usize = 400;
 
+/// With fewer degrees of freedom the quantile of χ² is no bound worth telling.
+const LEAST_FREEDOM: f64 = 6.0;
+
 /// The standard deviations of a two-sided 95 % interval.
 pub const NORMAL_95: f64 = 1.959964;
 
@@ -37,10 +40,16 @@ impl Found {
         self.square.sqrt()
     }
 
-    /// Of the magnitude, so many standard deviations of the square to each side.
-    pub fn interval(&self, sigmas: f64) -> [f64; 2] {
-        let off = sigmas * self.sigma;
-        [(self.square - off).max(0.0).sqrt(), (self.square + off).sqrt()]
+    /// The 95 % interval of the magnitude. Downwards the square is taken as normal, so that it may be 0; upwards
+    /// as χ² of 2p²/σ² degrees of freedom, since what is larger scatters more.
+    pub fn interval(&self) -> [f64; 2] {
+        let off = NORMAL_95 * self.sigma;
+        let freedom = 2.0 * (self.square / self.sigma).powi(2);
+        let share = 2.0 / (9.0 * freedom.max(LEAST_FREEDOM));
+        // Wilson and Hilferty's quantile.
+        let least = (1.0 - share - NORMAL_95 * share.sqrt()).powi(3);
+        let most = (self.square / least).max(self.square + off);
+        [(self.square - off).max(0.0).sqrt(), most.sqrt()]
     }
 
     /// Whether it can be told from nothing in this span.
@@ -148,6 +157,33 @@ impl Fitter {
         let mut fit = self.judge(variances, shapes, Solution { values: squares.to_vec(), sigmas });
         fit.left = self.points.len();
         fit
+    }
+
+    /// Fits terms with the weights of a model that is known.
+    pub fn solve_as(
+        &mut self,
+        variances: &[f64],
+        shapes: &[Shape],
+        model: &[Shape],
+        squares: &[f64],
+    ) -> Solution {
+        self.learn(model);
+        weighted(&columns(&self.points, shapes), variances, &self.covariance(model, squares))
+    }
+
+    /// χ² of what terms of some shapes leave at best, with the weights of a model that is known.
+    pub fn off_as(
+        &mut self,
+        variances: &[f64],
+        shapes: &[Shape],
+        model: &[Shape],
+        squares: &[f64],
+    ) -> f64 {
+        let solution = self.solve_as(variances, shapes, model, squares);
+        let expected = expected(&columns(&self.points, shapes), &solution.values);
+        let rest: Vec<f64> = variances.iter().zip(expected).map(|(v, e)| v - e).collect();
+        let l = definite(self.covariance(model, squares));
+        forward(&l, &rest).iter().map(|x| x * x).sum()
     }
 
     fn judge(&self, variances: &[f64], shapes: &[Shape], solution: Solution) -> Fit {

@@ -209,8 +209,14 @@ pub fn of_recording(
         let [first, last] = [*first_s, *last_s].map(parameter);
         let what = format!("moves from {first} to {last} s ({axis}){more}");
         let [rest, end] = still.longest_rest(end_s).map(parameter);
-        let accepted = format!("a span at rest; the longest is --span {rest}..{end}");
-        return Err(refuse(Complaint::new(what, accepted)));
+        if span_s.is_none() {
+            let accepted = format!("a span at rest; the longest is --span {rest}..{end}");
+            return Err(refuse(Complaint::new(what, accepted)));
+        }
+        // Who names a span knows of it; a vehicle on its springs never rests.
+        said.push(format!(
+            "the unit {what}, which looks like errors; the longest rest is {rest}..{end} s"
+        ));
     }
     let axes = gathering.points();
     for (points, axis) in axes.iter().zip(AXES) {

@@ -81,6 +81,12 @@ impl Turning {
         let [x, y, z] = self.axes;
         Vector::new(x.dot(a), y.dot(a), z.dot(a))
     }
+
+    /// The quaternion body → Earth-fixed axes.
+    pub fn quaternion(&self) -> Quaternion<f64> {
+        let [x, y, z] = self.axes;
+        quaternion(x, y, z)
+    }
 }
 
 /// Forward, right and down as series, in Earth-fixed axes; and fᵉ.

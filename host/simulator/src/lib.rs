@@ -12,6 +12,7 @@
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
+//! | [`reference`] | positions of others: a reference, way-points |
 
 pub mod emulator;
 pub mod ensemble;
@@ -25,6 +26,7 @@ pub mod output;
 pub mod plan;
 pub mod progress;
 pub mod recording;
+pub mod reference;
 pub mod rest;
 pub mod scene;
 pub mod simulate;

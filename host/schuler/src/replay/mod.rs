@@ -21,8 +21,7 @@ use schuler_simulator::simulate::FlightError;
 /// The recording is gone through twice, once to look and once to navigate, and never held in memory.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
-    let recording =
-        Recording::open_in(&args.imu.display().to_string(), args.units.unwrap_or_default())?;
+    let recording = Recording::open_as(&args.imu.display().to_string(), &args.given())?;
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     options.gap = args.gap.unwrap_or(options.gap);

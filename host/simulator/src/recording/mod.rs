@@ -2,13 +2,18 @@
 
 pub mod clock;
 pub mod csv;
+pub mod foreign;
 pub mod habits;
+pub mod instant;
 pub mod line;
+pub mod lines;
 pub mod measure;
+pub mod mounting;
 pub mod navigation;
 pub mod periods;
 pub mod psins;
 pub mod quadrature;
+pub mod reduction;
 pub mod rows;
 pub mod samples;
 pub mod survey;

@@ -40,6 +40,8 @@ pub struct Samples {
     timeline: Timeline,
     clock: Clock,
     kind: Kind,
+    /// What known biases add to increments, per second.
+    bias: Option<Increment<f64>>,
     /// When the first sample begins, where that is known from elsewhere, s.
     origin_s: Option<f64>,
     /// The last row, its number with missing ones counted, its end and its interval in s.
@@ -60,6 +62,7 @@ impl Samples {
             timeline: Timeline::new(recording, survey.habits, timeline::EVERY)?,
             clock: survey.clock,
             kind: recording.kind,
+            bias: recording.bias_per_second(),
             origin_s,
             last: None,
             quadrature: Quadrature::new(0.0),
@@ -180,7 +183,12 @@ impl Samples {
         self.quadrature = Quadrature::new(first_interval_s);
     }
 
-    fn hand_on(&mut self, sample: Sample) {
+    fn hand_on(&mut self, mut sample: Sample) {
+        if let Some(Increment { angle_b, velocity_b }) = self.bias {
+            let increment = &mut sample.increment;
+            increment.angle_b = increment.angle_b - angle_b * sample.interval_s;
+            increment.velocity_b = increment.velocity_b - velocity_b * sample.interval_s;
+        }
         match self.kind {
             Kind::Increments => self.ready.push_back(sample),
             Kind::Rates => self.quadrature.push(sample.end_s, sample.increment, sample),

@@ -218,6 +218,8 @@ impl ReplayArgs {
     /// What no option alone can get wrong: `--out` is none of the files that are read.
     pub fn check(&self) -> Result<(), InputError> {
         spare(&self.out, "--imu reads", &self.imu)?;
+        let map = self.map.as_ref().map(Path::new);
+        map.map_or(Ok(()), |map| spare(&self.out, "--map reads", map))?;
         self.initial.as_ref().map_or(Ok(()), |initial| spare(&self.out, "--initial reads", initial))
     }
 }

@@ -1,15 +1,14 @@
 //! `schuler replay`: navigates a recorded stream.
 
 mod fly;
+mod initial;
 mod report;
 mod rows;
 mod spans;
 
 use crate::cli::ReplayArgs;
 use schuler::flight::plan;
-use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::say;
-use schuler_simulator::recording::navigation::NavigationRow;
 use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::scene::{Algorithm, Navigator, WindowShape};
@@ -25,18 +24,11 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     options.gap = args.gap.unwrap_or(options.gap);
-    let given = args.initial.as_ref().map(|file| NavigationRow::read(&file.display().to_string()));
-    let initial = given.transpose()?.or(recording.initial).ok_or_else(|| {
-        let complaint = Complaint::new(
-            "is missing, and the recording brings no initial state",
-            "a TOML file with the columns of nav.csv as keys",
-        );
-        InputError::option("--initial", complaint)
-    })?;
+    let (initial, args) = &initial::initial(args, &recording)?;
 
-    let measured = spans::about(args, &initial);
+    let measured = spans::about(args, initial);
     let survey = Survey::of(&recording, args.rate.map(|rate_hz| 1.0 / rate_hz), measured)?;
-    let spans = spans::Spans::new(args, &survey, &initial)?;
+    let spans = spans::Spans::new(args, &survey, initial)?;
     let shape = shape(&options, &survey);
     for line in survey.said(&recording) {
         say(&format!("{line}\n"))?;
@@ -47,7 +39,7 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
         let motion = survey.motion_said();
         say(&format!("window {history},{block},{lookahead} {how}: {motion}\n"))?;
     }
-    let flight = fly::fly(&recording, &survey, &spans, &initial, &options, shape, args)?;
+    let flight = fly::fly(&recording, &survey, &spans, initial, &options, shape, args)?;
     say(&report::text(&flight, &spans, args.align.is_some()))?;
     Ok(())
 }

@@ -12,7 +12,7 @@ const INITIAL: &str = "time_s = 0\nlatitude_deg = 45\nlongitude_deg = 10\naltitu
     north_m_s = 0\neast_m_s = 0\ndown_m_s = 0\nroll_deg = 0\npitch_deg = 0\nyaw_deg = 0\n";
 
 /// Runs a command line; the message where it fails.
-fn run(line: &[&str]) -> Result<(), String> {
+pub(super) fn run(line: &[&str]) -> Result<(), String> {
     let arguments = ["schuler"].iter().chain(line);
     match Cli::try_parse_from(arguments).map_err(|e| e.to_string())?.command() {
         Command::Replay(args) => replay::replay(&args).map_err(|e| e.to_string()),
@@ -22,7 +22,7 @@ fn run(line: &[&str]) -> Result<(), String> {
 }
 
 /// The rows of a table, as numbers.
-fn rows(path: &Path) -> Vec<Vec<f64>> {
+pub(super) fn rows(path: &Path) -> Vec<Vec<f64>> {
     let table = fs::read_to_string(path).unwrap_or_else(|e| panic!("{e}"));
     let number = |field: &str| field.parse().unwrap_or_else(|e| panic!("{e}"));
     table.lines().skip(1).map(|line| line.split(',').map(number).collect()).collect()
@@ -41,7 +41,7 @@ fn flown(imu: &str, initial: &str, more: &[&str]) -> Result<Vec<Vec<f64>>, Strin
 }
 
 /// Metres from one row of nav.csv to another.
-fn apart(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn apart(a: &[f64], b: &[f64]) -> f64 {
     let per_degree = 6.37e6_f64.to_radians();
     let east = (a[2] - b[2]) * per_degree * a[1].to_radians().cos();
     ((a[1] - b[1]) * per_degree).hypot(east).hypot(a[3] - b[3])

@@ -1,6 +1,6 @@
 //! `imu.csv`: increments or instantaneous rates, a row per sample, its time the interval's end.
 
-use super::rows::Unread;
+use super::Unread;
 use crate::input::{Complaint, InputError};
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;

@@ -2,7 +2,7 @@
 
 use crate::input::{Complaint, InputError};
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Seek, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 
 /// Bytes of a line, at most: a file without lines is no recording.
 const LONGEST: u64 = 1 << 16;
@@ -36,7 +36,7 @@ pub fn spooled(name: &str, text: &str) -> Result<File, InputError> {
 pub struct Lines {
     /// Of the file.
     pub name: String,
-    reader: BufReader<File>,
+    reader: BufReader<At>,
     line: Vec<u8>,
     offset: u64,
     /// Of the line at hand, from 1.
@@ -46,13 +46,8 @@ pub struct Lines {
 impl Lines {
     /// From a place: how many bytes, and on which line.
     pub fn new(name: &str, file: &File, (offset, number): (u64, u64)) -> Result<Self, InputError> {
-        let again = || -> io::Result<File> {
-            let mut file = file.try_clone()?;
-            file.seek(io::SeekFrom::Start(offset))?;
-            Ok(file)
-        };
-        let file = again().map_err(|error| unreadable(name, &error))?;
-        let reader = BufReader::with_capacity(1 << 18, file);
+        let file = file.try_clone().map_err(|error| unreadable(name, &error))?;
+        let reader = BufReader::with_capacity(1 << 18, At { file, offset });
         Ok(Self { name: name.to_owned(), reader, line: Vec::new(), offset, number })
     }
 
@@ -88,6 +83,24 @@ impl Lines {
     /// Where the next line begins: bytes, and the number of the line at hand.
     pub fn place(&self) -> (u64, u64) {
         (self.offset, self.number)
+    }
+}
+
+/// A file read from a place of its own, so that several may read it at once.
+#[derive(Debug)]
+struct At {
+    file: File,
+    offset: u64,
+}
+
+impl Read for At {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        #[cfg(unix)]
+        let read = std::os::unix::fs::FileExt::read_at(&self.file, buffer, self.offset)?;
+        #[cfg(windows)]
+        let read = std::os::windows::fs::FileExt::seek_read(&self.file, buffer, self.offset)?;
+        self.offset += read as u64;
+        Ok(read)
     }
 }
 

@@ -22,6 +22,7 @@ pub mod writer;
 
 pub use schuler::alignment::units::Kind;
 
+use crate::input::InputError;
 use schuler::sample::Increment;
 
 /// A row as it stands in its file.
@@ -36,4 +37,13 @@ pub struct Row {
     pub values: Increment<f64>,
     /// Whether its text is that of the row before.
     pub repeated: bool,
+}
+
+/// A line that is not a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unread {
+    /// Its time stamp, where that can be read.
+    pub stamp: Option<f64>,
+    /// What is wrong.
+    pub error: Box<InputError>,
 }

@@ -7,9 +7,9 @@
 //!
 //! Axes are right, forward, up. The n-th sample ends n intervals after the start.
 
+use super::Unread;
 use super::lines::Lines;
 use super::navigation::NavigationRow;
-use super::rows::Unread;
 use crate::input::{Complaint, InputError, Range};
 use crate::scene::limits::ALTITUDE_M;
 use crate::units::{ARCSECOND, DEGREE};

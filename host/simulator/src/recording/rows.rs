@@ -5,7 +5,7 @@ use super::instant::Scale;
 use super::lines::{self, Lines};
 use super::navigation::NavigationRow;
 use super::reduction::Reduction;
-use super::{Kind, Row, csv, psins};
+use super::{Kind, Row, Unread, csv, psins};
 use crate::input::{Complaint, InputError};
 use crate::rest::units::{TimeUnit, Units};
 use schuler::math::vector::Vector;
@@ -182,15 +182,6 @@ pub struct Rows {
 enum Source {
     Own { lines: Lines, own: Own, before: Vec<u8>, read: u64 },
     Mapped(PartsReader),
-}
-
-/// A line that is not a row.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Unread {
-    /// Its time stamp, where that can be read.
-    pub stamp: Option<f64>,
-    /// What is wrong.
-    pub error: Box<InputError>,
 }
 
 impl Rows {

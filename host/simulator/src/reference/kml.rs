@@ -5,10 +5,13 @@ use crate::input::{Complaint, InputError};
 use crate::recording::instant::{self, Scale};
 use ::kml::types::{AltitudeMode, Coord, Element, Geometry};
 use ::kml::{Kml, KmlReader};
+use quick_xml::events::Event;
 
 /// All coordinates.
 pub fn read(file: &str, text: &str) -> Result<Track, InputError> {
     let refused = |what: String| InputError::file(file, Complaint::new(what, "KML 2.2 or 2.3"));
+    // The reader waits for ever for the end of an element that has none.
+    whole(text).map_err(|what| refused(format!("is no KML that can be read: {what}")))?;
     let document = KmlReader::<_, f64>::from_string(text)
         .read()
         .map_err(|error| refused(format!("is no KML that can be read: {error}")))?;
@@ -23,6 +26,21 @@ pub fn read(file: &str, text: &str) -> Result<Track, InputError> {
     }
     let scale = fixes.iter().any(|fix| fix.time_s.is_some()).then_some(Scale::Utc);
     Ok(Track { scale, fixes, said, ..Track::default() })
+}
+
+/// Whether every element ends.
+fn whole(text: &str) -> Result<(), String> {
+    let mut reader = quick_xml::Reader::from_str(text);
+    let mut open = 0u64;
+    loop {
+        match reader.read_event().map_err(|error| error.to_string())? {
+            Event::Start(_) => open += 1,
+            Event::End(_) => open = open.saturating_sub(1),
+            Event::Eof if open == 0 => return Ok(()),
+            Event::Eof => return Err(format!("{open} elements do not end")),
+            _ => {}
+        }
+    }
 }
 
 struct Found<'a> {

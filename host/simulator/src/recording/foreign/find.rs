@@ -48,7 +48,8 @@ pub fn columns(
             }
         }
     };
-    let moving: Vec<_> = (0..grid.width).filter(|&i| i != time && grid.varies(i)).collect();
+    let moving: Vec<_> =
+        (0..grid.width).filter(|i| !times.contains(i) && grid.varies(*i)).collect();
     let [first, .., last] = moving[..] else {
         return wrong("no six columns beside the time vary".to_owned());
     };

@@ -52,12 +52,19 @@ impl Head {
                     None => is_row(&fields),
                 };
             if row {
-                let delimiter = text.delimiter.unwrap_or_else(|| Delimiter::of(lines.text()));
+                let delimiter = cut_at(text, lines.text());
                 let name = name.to_owned();
                 return Ok(Self { name, delimiter, headers, begins, first: fields });
             }
             let belongs = tag.is_none_or(|tag| fields.first().is_some_and(|first| first == tag));
-            if belongs && fields.len() > 1 {
+            if belongs {
+                // Names of one column may have blanks in them.
+                if !fields.is_empty()
+                    && cut_at(text, noted.unwrap_or(lines.text())) == Delimiter::Blanks
+                {
+                    let whole = noted.unwrap_or(lines.text()).trim_ascii();
+                    headers.push((line, vec![String::from_utf8_lossy(whole).into_owned()]));
+                }
                 headers.push((line, fields));
                 if headers.len() > MOST {
                     headers.remove(0);
@@ -134,9 +141,13 @@ fn same(field: &str, name: &str) -> bool {
     plain(field) == plain(name)
 }
 
+fn cut_at(text: &Text, line: &[u8]) -> Delimiter {
+    text.delimiter.unwrap_or_else(|| Delimiter::of(line))
+}
+
 fn cut(text: &Text, line: &[u8]) -> Vec<String> {
     let line = line.trim_ascii();
-    let mut splitter = Splitter::new(text.delimiter.unwrap_or_else(|| Delimiter::of(line)));
+    let mut splitter = Splitter::new(cut_at(text, line));
     splitter.split(line);
     splitter.fields().map(|field| String::from_utf8_lossy(field).into_owned()).collect()
 }

@@ -13,6 +13,8 @@ const PIECES: usize = 4;
 /// The usual size of gravity, m/s², and how far from it a mean may be: places on the Earth differ by 0.5 %.
 const GRAVITY: f64 = 9.80;
 const FIT: f64 = 0.03;
+/// A direction stays within acos of this, 3°.
+const STAYS: f64 = 0.9986;
 
 /// What the first rows show, in the units of the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +25,8 @@ pub struct Look {
     pub pieces: Vec<[Vector<f64>; 2]>,
     /// The greatest reading of a gyro.
     pub peak: f64,
+    /// How much readings of gyros scatter from one to the next, rms of their size.
+    pub scatter: f64,
 }
 
 /// A unit and a kind that make gravity of accelerometers.
@@ -32,13 +36,17 @@ impl Look {
     /// At the rows of files; none where there are not enough to tell anything.
     pub fn at(parts: &Parts) -> Result<Option<Self>, InputError> {
         let mut reader = parts.reader()?;
-        let mut rows = Vec::new();
+        let (mut rows, mut unread) = (Vec::new(), None);
         while let Some(row) = reader.next(true)?.filter(|_| rows.len() < ROWS) {
-            if let Ok(row) = row {
-                rows.push((row.stamp, row.values));
+            match row {
+                Ok(row) => rows.push((row.stamp, row.values)),
+                Err(row) => unread = unread.or(Some(*row.error)),
             }
         }
-        Ok(Self::of(&rows))
+        match unread.filter(|_| rows.is_empty()) {
+            Some(error) => Err(error),
+            None => Ok(Self::of(&rows)),
+        }
     }
 
     /// Of times and numbers.
@@ -60,7 +68,8 @@ impl Look {
         let pieces: Vec<_> = rows.chunks_exact(length).map(mean).collect();
         let readings = rows.iter().flat_map(|(_, values)| &values[..3]);
         let peak = readings.fold(0.0, |peak: f64, value| peak.max(value.abs()));
-        (!pieces.is_empty()).then_some(Self { step, pieces, peak })
+        let scatter = scatter(rows);
+        (!pieces.is_empty()).then_some(Self { step, pieces, peak, scatter })
     }
 
     /// The usual size of accelerometers' means, in their unit.
@@ -74,9 +83,14 @@ impl Look {
         sum * (1.0 / sum.norm())
     }
 
-    /// The least size of gyros' means, in their unit.
-    pub fn quietest(&self) -> f64 {
-        self.pieces.iter().map(|[rate, _]| rate.norm()).fold(f64::INFINITY, f64::min)
+    /// The mean of gyros across the direction of accelerometers, in their unit, if that direction stays: what turned
+    /// them like this would turn it.
+    pub fn across(&self) -> Option<f64> {
+        let up = self.direction();
+        let stays = |[_, force]: &[Vector<f64>; 2]| force.dot(up) > STAYS * force.norm();
+        let sum = self.pieces.iter().fold(Vector::ZERO, |sum, [rate, _]| sum + *rate);
+        let mean = sum * (1.0 / self.pieces.len() as f64);
+        self.pieces.iter().all(stays).then(|| (mean - up * mean.dot(up)).norm())
     }
 
     /// The usual size of gyros' means, in their unit.
@@ -94,6 +108,13 @@ impl Look {
         guesses.iter().filter(|guess| fits(guess)).copied().collect()
     }
 
+    /// Whether gyros read one rate all along, up to a part of it.
+    pub fn steady(&self, part: f64) -> bool {
+        let sum = self.pieces.iter().fold(Vector::ZERO, |sum, [rate, _]| sum + *rate);
+        let mean = sum * (1.0 / self.pieces.len() as f64);
+        self.pieces.iter().all(|[rate, _]| (*rate - mean).norm() < part * mean.norm())
+    }
+
     /// The size of a rate in a unit, rad/s.
     pub fn rate_in(&self, rate: f64, unit: RateUnit, kind: Kind, h: f64) -> f64 {
         rate * unit.si() / if kind == Kind::Increments { h } else { 1.0 }
@@ -103,6 +124,16 @@ impl Look {
 /// Seconds in the unit that a usual step looks to have: seconds where samples are then no longer than one.
 pub fn likely_unit(step: f64) -> f64 {
     [1.0, 1e-3, 1e-6, 1e-9].into_iter().find(|unit_s| step * unit_s <= 1.0).unwrap_or(1e-9)
+}
+
+/// Second differences of noise have √6 times its size.
+fn scatter(rows: &[(f64, [f64; 6])]) -> f64 {
+    let second = |window: &[(f64, [f64; 6])]| -> f64 {
+        let [(_, a), (_, b), (_, c)] = window else { return 0.0 };
+        (0..3).map(|i| (a[i] - 2.0 * b[i] + c[i]).powi(2)).sum()
+    };
+    let sum: f64 = rows.windows(3).map(second).sum();
+    (sum / 6.0 / rows.len().max(1) as f64).sqrt()
 }
 
 fn middle(mut values: Vec<f64>) -> f64 {

@@ -4,6 +4,7 @@ use super::super::instant::Scale;
 use super::super::mounting::Mounting;
 use super::super::reduction::Known;
 use super::dialect::Delimiter;
+use crate::input::Complaint;
 use crate::rest::units::{TimeUnit, Units};
 
 /// A column, by its name in the header or its number from 1.
@@ -119,7 +120,48 @@ impl Given {
     }
 }
 
+impl Map {
+    /// What it says, and where that is nothing, what another one says.
+    pub(super) fn or(self, other: Self) -> Self {
+        let text = if self.text == Text::default() { other.text } else { self.text };
+        let own = |columns: &[Column]| !columns.is_empty();
+        Self {
+            name: self.name,
+            title: other.title,
+            text,
+            fields: other.fields,
+            header: other.header,
+            time: if own(&self.time.columns) { self.time } else { other.time },
+            gyro: if own(&self.gyro.columns) { self.gyro } else { other.gyro },
+            accelerometer: if own(&self.accelerometer.columns) {
+                self.accelerometer
+            } else {
+                other.accelerometer
+            },
+            units: self.units.or(other.units),
+            mounting: self.mounting.or(other.mounting),
+            reversed: self.reversed || other.reversed,
+            known: self.known.or(other.known),
+        }
+    }
+}
+
 impl Time {
+    /// What its columns and their unit do not agree in.
+    pub(super) fn check(&self, unit: Option<TimeUnit>) -> Result<(), Complaint> {
+        use TimeUnit::{GpsWeek, Microseconds, Milliseconds, Nanoseconds};
+        match (self.columns.len(), unit) {
+            (1, Some(GpsWeek)) => {
+                Err(Complaint::new("has no column of seconds", "week and seconds"))
+            }
+            (2, Some(Milliseconds | Microseconds | Nanoseconds)) => {
+                let accepted = "one column, or two of s and ns (unit \"s\"), of a date and a time, of week and seconds";
+                Err(Complaint::new("has two columns of one unit", accepted))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// What the numbers of its columns are, by their unit and number.
     pub(super) fn form(&self, unit: Option<TimeUnit>) -> Form {
         match (self.columns.len(), unit) {

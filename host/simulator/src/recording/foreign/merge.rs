@@ -1,7 +1,7 @@
 //! Gyros and accelerometers of separate clocks, brought to one: the slower sensor is interpolated to the times
 //! of the faster one, by the cubic through the two readings before and the two after.
 
-use super::super::rows::Unread;
+use super::super::Unread;
 use super::table::{Reader, Table, Taken};
 use crate::input::{Complaint, InputError};
 use std::collections::VecDeque;

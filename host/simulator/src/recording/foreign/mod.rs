@@ -83,7 +83,14 @@ pub(super) fn open(name: &str, file: Option<&File>, given: &Given) -> Result<Ope
 fn choose(source: &Source, given: &Given) -> Result<(Map, Vec<String>), InputError> {
     let name = source.name;
     if let Some(map) = &given.map {
-        return stated(map).map(|map| (map, Vec::new()));
+        let map = stated(map)?;
+        if !map.gyro.columns.is_empty() {
+            return Ok((map, Vec::new()));
+        }
+        // Without columns it adds to a format that is known.
+        let units = given.units.or(map.units);
+        let (known, said) = choose(source, &Given { map: None, units, ..given.clone() })?;
+        return Ok((map.or(known), said));
     }
     if given.columns.is_some() {
         return Ok((Map::default(), Vec::new()));

@@ -76,6 +76,14 @@ pub fn map(file: &str, text: &str) -> Result<Map, InputError> {
             map.reversed = reads.unwrap_or(false);
         }
     }
+    match (map.gyro.columns.is_empty(), map.accelerometer.columns.is_empty()) {
+        (true, false) => drop(root.require("gyro", "a table with columns, as for accelerometers")?),
+        (false, true) => drop(root.require("accelerometer", "a table with columns, as for gyros")?),
+        (false, false) if map.time.columns.is_empty() && map.time.rate_hz.is_none() => {
+            root.require("time", "a table with a column, or with rate_hz")?;
+        }
+        _ => {}
+    }
     // A unit per second is one of rates.
     for (kind, unit) in kinds {
         if map.units.kind.is_some_and(|stated| stated != kind) {

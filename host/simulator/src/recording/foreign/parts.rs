@@ -1,7 +1,7 @@
 //! The files of a recording: all in one, side by side row by row, or with clocks of their own.
 
+use super::super::Unread;
 use super::super::lines;
-use super::super::rows::Unread;
 use super::head::Head;
 use super::map::{Column, Map, Time};
 use super::merge::{Merged, Merging};
@@ -70,6 +70,10 @@ impl Parts {
     /// As a map has it.
     pub fn open(source: &Source, map: &Map) -> Result<Self, InputError> {
         let Map { text, time, gyro, accelerometer, units, .. } = map;
+        time.check(units.time).map_err(|complaint| {
+            let error = InputError::file(&map.name, complaint);
+            InputError { key: Some("time.columns".to_owned()), ..error }
+        })?;
         let table =
             |files: &[String], tag: Option<&str>, time: Option<&Time>, values: &[&Column]| {
                 let names: Vec<_> = files.iter().map(String::as_str).collect();

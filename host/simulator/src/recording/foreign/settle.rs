@@ -19,11 +19,16 @@ pub const USUAL: [ForceGuess; 4] = [
     (ForceUnit::MilliG, Kind::Rates),
     (ForceUnit::MetrePerSecondSquared, Kind::Increments),
 ];
+/// Units of gyros that are good enough to read the Earth's rate.
+const GOOD: [RateUnit; 3] =
+    [RateUnit::RadianPerSecond, RateUnit::DegreePerSecond, RateUnit::DegreePerHour];
 const EARTH: f64 = schuler::earth::ROTATION_RATE;
 /// Gyros that read the Earth's rate are this near to it, of the rate itself.
 const EARTH_FIT: f64 = 0.2;
 /// A bias that no gyro has, rad/s.
 const NO_BIAS: f64 = 5.0 * DEGREE;
+/// Noise from reading to reading that no gyro has, rad/s.
+const NO_NOISE: f64 = 20.0 * DEGREE;
 /// A rate that no vehicle turns at and no small gyro measures, rad/s.
 const NO_RATE: f64 = 2500.0 * DEGREE;
 /// An axis this much along the vertical is the vertical one.
@@ -91,12 +96,9 @@ fn force(name: &str, look: &Look, h: f64, map: &mut Map) -> Result<String, Input
 fn rate(name: &str, look: &Look, h: f64, map: &mut Map) -> Result<String, InputError> {
     let kind = map.units.kind.unwrap_or(Kind::Rates);
     let of = |rate: f64, unit: RateUnit| look.rate_in(rate, unit, kind, h);
-    let (quietest, usual) = (look.quietest(), look.rate());
-    let is_earth = |unit: &&RateUnit| {
-        let near = |rate: f64| (of(rate, **unit) / EARTH - 1.0).abs() < EARTH_FIT;
-        near(quietest) && near(usual)
-    };
-    let mut earths = RateUnit::ALL.iter().filter(is_earth);
+    let usual = look.rate();
+    let is_earth = |unit: &&RateUnit| (of(usual, **unit) / EARTH - 1.0).abs() < EARTH_FIT;
+    let mut earths = GOOD.iter().filter(|_| look.steady(EARTH_FIT)).filter(is_earth);
     if let (Some(&unit), None) = (earths.next(), earths.next()) {
         map.units.rate = Some(unit);
         let rate = rounded(of(usual, unit) / DEGREE_PER_HOUR, 4);
@@ -106,19 +108,26 @@ fn rate(name: &str, look: &Look, h: f64, map: &mut Map) -> Result<String, InputE
         ));
     }
     let (radians, degrees) = (RateUnit::RadianPerSecond, RateUnit::DegreePerSecond);
-    let senseless = |unit: RateUnit| of(quietest, unit) > NO_BIAS || of(look.peak, unit) > NO_RATE;
-    if senseless(radians) && !senseless(degrees) {
+    // What a unit would make of the readings, and whether that can be.
+    let senseless = |unit: RateUnit| -> Option<String> {
+        let told = |rate: f64| rounded(of(rate, unit) / DEGREE, 4);
+        if of(look.scatter, unit) > NO_NOISE {
+            Some(format!("would scatter by {} °/s from one to the next", told(look.scatter)))
+        } else if of(look.peak, unit) > NO_RATE {
+            Some(format!("would turn by up to {} °/s", told(look.peak)))
+        } else {
+            let across = look.across().filter(|&across| of(across, unit) > NO_BIAS)?;
+            Some(format!("would turn by {} °/s across a vertical that stays", told(across)))
+        }
+    };
+    if let (Some(why), None) = (senseless(radians), senseless(degrees)) {
         map.units.rate = Some(degrees);
-        let least = rounded(of(quietest, radians) / DEGREE, 4);
-        let most = rounded(of(look.peak, radians) / DEGREE, 4);
-        return Ok(format!(
-            "{name}: gyros read deg/s: in rad/s they would never turn by less than {least} °/s, and by up to {most} °/s"
-        ));
+        return Ok(format!("{name}: gyros read deg/s: in rad/s they {why}"));
     }
     let what = format!(
-        "nothing tells the unit of the gyros: at their quietest they would turn by {} °/s in rad/s, by {} °/s in deg/s",
-        rounded(of(quietest, radians) / DEGREE, 3),
-        rounded(of(quietest, degrees) / DEGREE, 3),
+        "nothing tells the unit of the gyros: their usual reading is {} °/s in rad/s, {} °/s in deg/s",
+        rounded(of(usual, radians) / DEGREE, 3),
+        rounded(of(usual, degrees) / DEGREE, 3),
     );
     let known = map.units.force.map_or("m/s2", force_name);
     let accepted = format!("--units {known},rad/s or --units {known},deg/s");
@@ -139,16 +148,16 @@ fn axes(name: &str, look: &Look, map: &mut Map) -> Result<String, InputError> {
         ("z", "--axes forward-left-up, --axes right-forward-up or others with z up")
     } else if x.abs() > UPRIGHT {
         let up = if x > 0.0 {
-            "up-right-backward, up-left-forward"
+            "up-right-forward, up-left-backward"
         } else {
-            "down-right-forward, down-left-backward"
+            "down-right-backward, down-left-forward"
         };
         return Err(asked(name, "x", x > 0.0, &format!("--axes with x first, such as {up}")));
     } else if y.abs() > UPRIGHT {
         let up = if y > 0.0 {
-            "right-up-forward, forward-up-left"
+            "right-up-backward, forward-up-right"
         } else {
-            "right-down-backward, forward-down-right"
+            "right-down-forward, forward-down-left"
         };
         return Err(asked(name, "y", y > 0.0, &format!("--axes with y second, such as {up}")));
     } else {

@@ -1,8 +1,8 @@
 //! The rows of one text file: a time and the numbers of some columns.
 
+use super::super::Unread;
 use super::super::instant;
 use super::super::lines::Lines;
-use super::super::rows::Unread;
 use super::dialect::{Delimiter, Splitter, comment, number};
 use super::head::{Head, Place};
 use super::map::{Column, Form, Text, Time};
@@ -86,6 +86,8 @@ impl Table {
             splitter: Splitter::new(self.delimiter),
             before: Vec::new(),
             read: 0,
+            week: 0.0,
+            rounds: self.rollovers,
             table: Arc::clone(self),
         })
     }
@@ -105,6 +107,9 @@ pub struct Reader {
     splitter: Splitter,
     before: Vec<u8>,
     read: u64,
+    /// The last week, and how often weeks of ten bits came round.
+    week: f64,
+    rounds: u64,
     table: Arc<Table>,
 }
 
@@ -157,14 +162,19 @@ impl Reader {
         self.read
     }
 
-    fn stamp(&self) -> Result<f64, InputError> {
+    fn stamp(&mut self) -> Result<f64, InputError> {
         let times = &self.table.times;
         let number = |i: usize| times.get(i).map_or(Ok(0.0), |place| self.number(place));
         match self.table.form {
             Form::Counted => Ok(self.read as f64 * self.table.interval_s),
             Form::Number => number(0),
             Form::Nanoseconds => Ok(number(0)? + number(1)? * 1e-9),
-            Form::Week => Ok(instant::week(number(0)?, number(1)?, self.table.rollovers)),
+            Form::Week => {
+                let (week, seconds) = (number(0)?, number(1)?);
+                let round = self.week - week > 0.5 * instant::WEEKS as f64;
+                (self.week, self.rounds) = (week, self.rounds + u64::from(round));
+                Ok(instant::week(week, seconds, self.rounds))
+            }
             Form::Date => {
                 let fields = times.iter().map(|place| self.text(place));
                 let fields = fields.collect::<Result<Vec<_>, _>>()?;

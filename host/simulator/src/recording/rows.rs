@@ -148,7 +148,7 @@ impl Recording {
     pub fn rows(&self) -> Result<Rows, InputError> {
         let source = match &self.layout {
             Layout::Own { file, own, begins } => Source::Own {
-                lines: Lines::new(&self.name, file, *begins)?,
+                lines: Box::new(Lines::new(&self.name, file, *begins)?),
                 own: *own,
                 before: Vec::new(),
                 read: 0,
@@ -180,7 +180,7 @@ pub struct Rows {
 /// Where rows come from.
 #[derive(Debug)]
 enum Source {
-    Own { lines: Lines, own: Own, before: Vec<u8>, read: u64 },
+    Own { lines: Box<Lines>, own: Own, before: Vec<u8>, read: u64 },
     Mapped(PartsReader),
 }
 

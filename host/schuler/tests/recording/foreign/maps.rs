@@ -118,18 +118,21 @@ fn options_do_without_a_map() {
     alike(&sway, "rates.csv", &path, 261.906, &[&columns[..], &axes].concat(), 1e-7);
 }
 
+/// How a time is written.
+type Stamp<'a> = &'a dyn Fn(f64) -> String;
+
 #[test]
 fn times_are_read_in_every_form() {
     let sway = Sway::new();
     let week_s = 604_800.0;
     let sow = |t: f64| (week_s - 3.0 + t) % week_s;
-    let forms: [(&str, &str, f64, &dyn Fn(f64) -> String); 7] = [
-        ("column = 1", "s", 5.0, &|t| format!("{:.3}", 5.0 + t)),
-        ("column = 1", "ms", 5.0, &|t| format!("{:.0}", 5e3 + 1e3 * t)),
-        ("column = 1", "us", 5.0, &|t| format!("{:.0}", 5e6 + 1e6 * t)),
-        ("column = 1", "ns", 1_700_000_000.0, &|t| nanoseconds(1_700_000_000, t).to_string()),
-        ("column = 1", "s", week_s - 3.0, &|t| format!("{:.3}", sow(t))),
-        ("column = 1", "iso8601", 1_735_689_597.0, &|t| {
+    let forms: [(&str, f64, Stamp); 7] = [
+        ("s", 5.0, &|t| format!("{:.3}", 5.0 + t)),
+        ("ms", 5.0, &|t| format!("{:.0}", 5e3 + 1e3 * t)),
+        ("us", 5.0, &|t| format!("{:.0}", 5e6 + 1e6 * t)),
+        ("ns", 1_700_000_000.0, &|t| nanoseconds(1_700_000_000, t).to_string()),
+        ("s", week_s - 3.0, &|t| format!("{:.3}", sow(t))),
+        ("iso8601", 1_735_689_597.0, &|t| {
             let (date, seconds) = if t < 2.9999 {
                 ("2024-12-31 23:59:", 57.0 + t)
             } else {
@@ -137,14 +140,12 @@ fn times_are_read_in_every_form() {
             };
             format!("{date}{seconds:06.3}")
         }),
-        ("column = 1", "ms", 4_294_964.296, &|t| {
-            format!("{:.0}", (4_294_964_296.0 + 1e3 * t) % 4_294_967_296.0)
-        }),
+        ("ms", 4_294_964.296, &|t| format!("{:.0}", (4_294_964_296.0 + 1e3 * t) % 4_294_967_296.0)),
     ];
     let rest = "[gyro]\ncolumns = [2, 3, 4]\nunit = \"rad/s\"\n[accelerometer]\ncolumns = [5, 6, 7]\nunit = \"m/s2\"\n";
-    for (column, unit, origin_s, time) in forms {
+    for (unit, origin_s, time) in forms {
         let path = sway.write("log.csv", &plain(&sway.rates, time));
-        let map = sway.write("map.toml", &format!("[time]\n{column}\nunit = \"{unit}\"\n{rest}"));
+        let map = sway.write("map.toml", &format!("[time]\ncolumn = 1\nunit = \"{unit}\"\n{rest}"));
         alike(&sway, "rates.csv", &path, origin_s, &["--map", super::text(&map)], 1e-6);
     }
     // A GPS week and its seconds: into the next week, and over the end of ten bits.

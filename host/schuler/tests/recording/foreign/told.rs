@@ -162,3 +162,28 @@ fn a_header_that_nobody_knows_and_numbers_that_do_not_tell() {
     let error = opened(&sway.path(""), &Given::default()).expect_err("a folder of nothing known");
     assert!(error.contains("is a folder") && error.contains("gnss-ins-sim"), "{error}");
 }
+
+#[test]
+fn names_speak_for_themselves() {
+    let sway = Sway::new();
+    let line = |[t, x, y, z, u, v, w]: Sample| {
+        let [x, y, z] = [x, y, z].map(f64::to_degrees);
+        format!("{:.0},20.5,{u},{v},{w},{x},{y},{z},30,31,{}", 1e3 * t, x * y)
+    };
+    for header in [
+        "timestamp_ms,temp_x,acc_x,acc_y,acc_z,gyro_x_deg_s,gyro_y_deg_s,gyro_z_deg_s,mag_x,mag_y,mag_z",
+        "Time (ms),T,Accel X (m/s^2),Accel Y (m/s^2),Accel Z (m/s^2),Gyro X [deg/sec],Gyro Y [deg/sec],Gyro Z [deg/sec],a,b,c",
+        "timeMs (ms),T,accX,accY,accZ,gyrX (dps),gyrY (dps),gyrZ (dps),magX,magY,magZ",
+        "time [ms],T,ax,ay,az,wx [deg s^-1],wy [deg s^-1],wz [deg s^-1],mx,my,mz",
+    ] {
+        let path = sway.write("log.csv", &table(header, &sway.rates, line));
+        let said = opened(&path, &Given::default()).unwrap_or_else(|e| panic!("{header}: {e}"));
+        assert!(said[0].contains("by the names"), "{said:?}");
+        super::alike(&sway, "rates.csv", &path, 0.0, &[], 1e-9);
+    }
+    // What is named twice is not told by its name.
+    let header = "time,T,ax,ay,az,wx,wy,wz,ax,ay,az";
+    let path = sway.write("log.csv", &table(header, &sway.rates, line));
+    let error = opened(&path, &Given::default()).expect_err("two of them");
+    assert!(error.contains("the header is none that is known"), "{error}");
+}

@@ -5,7 +5,8 @@
 //! | `map`, `parse` | what a map says, and its TOML |
 //! | `dialect`, `head`, `table` | lines, what stands above them, the rows of one file |
 //! | `parts`, `merge` | several files: row by row, or interpolated to one clock |
-//! | `known`, `find`, `look`, `settle` | formats that are known, and what the numbers themselves tell |
+//! | `known`, `names`, `find` | formats that are known, names that speak for themselves, numbers that do |
+//! | `look`, `settle` | what gravity and the Earth's rate tell of units and axes |
 
 mod dialect;
 mod find;
@@ -14,6 +15,7 @@ pub mod known;
 mod look;
 pub mod map;
 mod merge;
+mod names;
 mod parse;
 mod parts;
 mod settle;
@@ -123,6 +125,9 @@ fn choose(source: &Source, given: &Given) -> Result<(Map, Vec<String>), InputErr
     }
     if let Some(map) = known::by_numbers(source, &head)? {
         return known(map);
+    }
+    if let Some((map, said)) = names::columns(&head) {
+        return Ok((map, vec![said]));
     }
     match find::columns(&head, file, given)? {
         Ok((map, said)) => Ok((map, vec![said])),

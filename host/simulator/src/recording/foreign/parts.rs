@@ -126,7 +126,7 @@ impl Parts {
     /// Its rows from the first one.
     pub fn reader(&self) -> Result<PartsReader, InputError> {
         Ok(match self {
-            Self::One(table) => PartsReader::One(table.reader()?),
+            Self::One(table) => PartsReader::One(Box::new(table.reader()?)),
             Self::Beside(tables) => {
                 let readers = tables.iter().map(|table| Ok((table.width(), table.reader()?)));
                 PartsReader::Beside(readers.collect::<Result<_, InputError>>()?)
@@ -140,7 +140,7 @@ impl Parts {
 #[derive(Debug)]
 pub enum PartsReader {
     /// Of one.
-    One(Reader),
+    One(Box<Reader>),
     /// Row by row, with how many numbers each has.
     Beside(Vec<(usize, Reader)>),
     /// By time.

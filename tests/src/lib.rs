@@ -128,6 +128,7 @@ pub fn at_rest(duration_s: f64) -> Scene {
     Scene {
         name: "at rest".into(),
         title: String::new(),
+        text_sha256: String::new(),
         duration_s,
         rate_hz: 20.0,
         seed: 1,

@@ -1,13 +1,16 @@
-//! `schuler emulate`: the sensor samples of a scene as a file.
+//! `schuler emulate`: the sensor samples of a scene as a file, with the start and the truth beside it.
 
 use crate::cli::EmulateArgs;
-use schuler_simulator::output::{much, say};
+use schuler_simulator::output::{self, OutputFile, much, say};
 use schuler_simulator::progress::Progress;
+use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow, NavigationWriter};
 use schuler_simulator::recording::writer::ImuWriter;
-use schuler_simulator::simulate::FlightError;
+use schuler_simulator::scene::Scene;
+use schuler_simulator::simulate::{FlightError, offset};
 use schuler_simulator::source::Source;
+use std::path::Path;
 
-/// Writes the stream; what is lost on the link is missing in the file.
+/// Writes the stream; what is lost on the link is missing in it, but not in the truth.
 pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     let source = Source::new(&scene, false)?;
@@ -15,9 +18,17 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
     let progress = Progress::new(scene.samples());
     let create = if args.rates { ImuWriter::rates } else { ImuWriter::increments };
     let mut writer = create(&args.out)?;
-    if let Some(much) = much(&args.out, scene.samples(), ImuWriter::COLUMNS) {
-        eprintln!("{much}; --rate and --duration make it less");
+    let mut files = Vec::new();
+    if let Some(path) = args.initial() {
+        files.push(initial(&path, &scene, &source)?);
     }
+    let mut truth = args.truth.as_ref().map(NavigationWriter::create).transpose()?;
+    announce(args, &scene);
+    let mut write_truth = |sample: u64| match &mut truth {
+        Some(truth) => truth.row(&NavigationRow::new(source.time_s(sample), &source.truth(sample))),
+        None => Ok(()),
+    };
+    write_truth(0)?;
     let mut written = 0;
     for sample in 1..=scene.samples() {
         let time_s = source.time_s(sample);
@@ -30,12 +41,40 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
             writer.increment(time_s, &increment)?;
             written += 1;
         }
+        write_truth(sample)?;
         progress.reach(sample);
     }
     progress.finish();
-    writer.finish()?;
+    files.extend(truth.map(NavigationWriter::into_file));
+    let beside = files.iter().map(|file| format!(", {}", file.path().display()));
+    let beside: String = beside.collect();
+    files.push(writer.into_file());
+    output::place(files, &[])?;
     let lost = scene.samples() - written;
     let lost = if lost > 0 { format!(", {lost} lost on the link") } else { String::new() };
-    say(&format!("{written} samples written to {}{lost}\n", args.out.display()))?;
+    say(&format!("{written} samples written to {}{beside}{lost}\n", args.out.display()))?;
     Ok(())
+}
+
+/// The state that navigation starts from, off by what the scene says.
+fn initial(path: &Path, scene: &Scene, source: &Source) -> Result<OutputFile, FlightError> {
+    let start = offset(&source.motion(0).initial(), scene);
+    let mut file = OutputFile::create(path)?;
+    let is_off = scene.initial_error != Default::default();
+    let off = if is_off { ", off by its initial_error" } else { "" };
+    let about = format!("The start of {}{off}: for `schuler replay --initial`", scene.name);
+    file.put(NavigationRow::start(source.time_s(0), &start).toml(&about))?;
+    Ok(file)
+}
+
+/// Says how much room large files take.
+fn announce(args: &EmulateArgs, scene: &Scene) {
+    let truth = args.truth.as_deref().map(|path| (path, COLUMNS.len()));
+    for (path, columns) in
+        [Some((args.out.as_path(), ImuWriter::COLUMNS)), truth].into_iter().flatten()
+    {
+        if let Some(much) = much(path, scene.samples(), columns) {
+            eprintln!("{much}; --rate and --duration make it less");
+        }
+    }
 }

@@ -1,10 +1,11 @@
 //! `schuler run`: the main job.
 
 use crate::cli::RunArgs;
-use crate::report::{self, DriftCsv, FlightFiles};
+use crate::report::{self, DriftCsv, FlightFiles, drift_csv, rows};
 use schuler_simulator::flight::Flight;
 use schuler_simulator::output::{large_table, say};
 use schuler_simulator::progress::Progress;
+use schuler_simulator::recording::navigation::COLUMNS;
 use schuler_simulator::scene::Scene;
 use schuler_simulator::simulate::{FlightError, Simulation};
 use std::path::{Path, PathBuf};
@@ -32,12 +33,16 @@ fn fly(
 ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
     let simulation = Simulation::new(scene, args.force_all)?;
     let progress = Progress::new(scene.samples());
-    let mut files = FlightFiles::create(directory, args.every, args.no_report)?;
+    let mut files = FlightFiles::create(directory, args.wanted())?;
     let rows = scene.samples();
     let rows = args.every.map_or(rows, |every| every.kept(rows, 1.0 / scene.rate_hz));
     let columns = DriftCsv::columns(simulation.expects_scatter());
-    if let Some(much) = large_table(&directory.join("drift.csv"), rows, columns) {
-        eprintln!("{much}");
+    let [nav, truth] = rows::NAMES;
+    let tables = [(drift_csv::NAME, columns), (nav, COLUMNS.len()), (truth, COLUMNS.len())];
+    for (name, columns) in tables.into_iter().take(if args.rows { 3 } else { 1 }) {
+        if let Some(much) = large_table(&directory.join(name), rows, columns) {
+            eprintln!("{much}");
+        }
     }
     let (flight, end) = simulation
         .fly_as_far(&mut |instant| files.row(instant), &|sample| progress.reach(sample))?;

@@ -76,7 +76,10 @@ fn bad_input_is_told_and_leaves_nothing_behind() {
     let folder = tempfile::tempdir().unwrap();
     let cases: [(&str, &[&str]); 5] = [
         ("[navigator]\nwindow = { history = 1, block = 1, lookahead = 1 }\n", &[":6:", "2,4,2"]),
-        ("[initial_error]\nyaw_arcsec = 1e9\n", &[":6:", "yaw_arcsec", "648000"]),
+        (
+            "[initial_error]\nattitude_down_arcsec = 1e9\n",
+            &[":6:", "attitude_down_arcsec", "648000"],
+        ),
         (
             "[navigator]\nprecision = \"f32x2\"\nalgorithm = \"textbook\"\n",
             &["bad.toml:6:", "navigator.precision", "f64"],

@@ -11,6 +11,7 @@
 //! | `ensemble` | many runs |
 //! | `frontier` | run time against error |
 //! | `hil` | a target and its twin |
+//! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
 mod audit;
@@ -27,3 +28,4 @@ mod rest;
 mod scene;
 mod stochastic;
 mod stress;
+mod summaries;

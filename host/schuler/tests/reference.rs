@@ -1,6 +1,7 @@
 //! Positions that others measured: `.pos`, NMEA, GPX and KML.
 
 use schuler_simulator::recording::instant::Scale;
+use schuler_simulator::recording::reference::Reference;
 use schuler_simulator::reference::Track;
 
 const POS: &str = "% program   : made here\n\
@@ -40,6 +41,29 @@ fn rtklib() {
     // Without velocities, and with commas.
     let short = format!("{POS}2329,1.25,45.5,-100.25,300.125,1,20,0.01,0.02,0.03,0,0,0,0,5\n");
     assert_eq!(parsed("a.pos", &short).fixes[0].north_east, None);
+}
+
+#[test]
+fn a_reference_is_told_on_the_recordings_scale() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("a.pos");
+    std::fs::write(&path, format!("{POS}2329 1.25 {ROW}\n2329 1.5 {ROW}\n")).expect("room");
+    let name = path.to_str().expect("a plain name");
+    for (scale, first_s) in [
+        (Some(Scale::Gps), 2329.0 * 604_800.0 + 1.25),
+        (Some(Scale::Utc), 1_724_544_001.25 - 18.0),
+        (None, 1_724_544_001.25 - 18.0),
+    ] {
+        let reference = Reference::open(name, scale).unwrap_or_else(|e| panic!("{e}"));
+        let [(time_s, state), (later_s, _)] = reference.rows[..] else { panic!("{reference:?}") };
+        assert_eq!((time_s, later_s), (first_s, first_s + 0.25));
+        assert!(reference.has_velocity && !reference.has_attitude);
+        assert_eq!(state.velocity_ned.z.hi, -0.25);
+        assert!((state.position.latitude.hi.to_degrees() - 45.5).abs() < 1e-12);
+    }
+    std::fs::write(&path, format!("{POS}2329 1.5 {ROW}\n2329 1.5 {ROW}\n")).expect("room");
+    let error = Reference::open(name, None).expect_err("twice at once").to_string();
+    assert!(error.contains("a.pos:4: is not after"), "{error}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::high::Neglected;
 use crate::scene::{Scene, WindowShape};
 use crate::theory::Outside;
+use schuler::solution::Solution;
 use serde::Serialize;
 
 /// Nine numbers about one instant: position, velocity and attitude in north, east, down.
@@ -25,10 +26,13 @@ impl Nine {
         "north_m_s",
         "east_m_s",
         "down_m_s",
-        "roll_arcsec",
-        "pitch_arcsec",
-        "yaw_arcsec",
+        "attitude_north_arcsec",
+        "attitude_east_arcsec",
+        "attitude_down_arcsec",
     ];
+
+    /// What the last three were called before, though they are no errors of Euler's angles.
+    pub const FORMER: [&str; 3] = ["roll_arcsec", "pitch_arcsec", "yaw_arcsec"];
 
     /// Where there is nothing to say.
     pub const UNKNOWN: Self = Self {
@@ -59,6 +63,10 @@ pub struct Instant {
     pub position: [f64; 3],
     /// True roll, pitch, yaw, degrees.
     pub attitude_deg: [f64; 3],
+    /// What was computed.
+    pub computed: Solution<f64>,
+    /// What is true.
+    pub truth: Solution<f64>,
 }
 
 /// How a window was chosen.

@@ -5,7 +5,7 @@ mod log;
 mod vehicle;
 
 pub use error::{FlightError, Refused};
-pub use log::largest;
+pub use log::{Log, largest};
 pub use vehicle::Vehicle;
 
 use crate::flight::{Ended, Flight, Instant, Nine};
@@ -17,7 +17,6 @@ use crate::source::{Source, SourceError};
 use crate::theory::{Outside, Theory};
 use crate::timing;
 use crate::units::{ARCSECOND, DEGREE};
-use log::Log;
 use schuler::drift::compare::{Drift, drift};
 use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
@@ -210,20 +209,27 @@ pub fn offset(truth: &Solution<f64>, scene: &Scene) -> Solution<f64> {
 
 fn instant(source: &Source, theory: &mut Theory, sample: u64, computed: &Solution<f64>) -> Instant {
     let time_s = source.time_s(sample);
-    let truth = source.truth(sample);
     let expected = theory.at(time_s);
+    let (mean, sigma) = (nine(&expected.mean), nine(&expected.sigma));
+    Instant { mean, sigma, ..compared(time_s, computed, &source.truth(sample)) }
+}
+
+/// An instant of which theory says nothing.
+pub fn compared(time_s: f64, computed: &Solution<f64>, truth: &Solution<f64>) -> Instant {
     let attitude = truth.euler();
     Instant {
         time_s,
-        drift: nine(&drift(computed, &truth)),
-        mean: nine(&expected.mean),
-        sigma: nine(&expected.sigma),
+        drift: nine(&drift(computed, truth)),
+        mean: Nine::UNKNOWN,
+        sigma: Nine::UNKNOWN,
         position: [
             truth.position.latitude.hi / DEGREE,
             truth.position.longitude.hi / DEGREE,
             truth.position.altitude.hi,
         ],
         attitude_deg: [attitude.roll, attitude.pitch, attitude.yaw].map(|angle| angle / DEGREE),
+        computed: *computed,
+        truth: *truth,
     }
 }
 

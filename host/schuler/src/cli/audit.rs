@@ -1,6 +1,6 @@
 //! The commands of `schuler audit`.
 
-use super::{FlightOptions, NavigatorOptions, load, options};
+use super::{FlightOptions, Handling, NavigatorOptions, load, options};
 use clap::{Args, Subcommand};
 use schuler_simulator::input::InputError;
 use schuler_simulator::scene::Scene;
@@ -94,6 +94,6 @@ pub struct SensitivityArgs {
 impl SensitivityArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
-        load(self.scene.as_deref(), &self.flight, &self.navigator)
+        load(self.scene.as_deref(), &self.flight, &self.navigator, &Handling::default())
     }
 }

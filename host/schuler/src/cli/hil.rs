@@ -1,9 +1,10 @@
 //! Options of `hil`.
 
-use super::{Every, FlightOptions, NavigatorOptions, load};
+use super::{Every, FlightOptions, Handling, NavigatorOptions, load};
 use crate::hil::Manner;
 use crate::hil::device::Device;
 use crate::hil::faults::Rates;
+use crate::report::Wanted;
 use clap::Args;
 use schuler_simulator::input::{Complaint, InputError, Range};
 use schuler_simulator::scene::Scene;
@@ -53,10 +54,16 @@ pub struct HilArgs {
     /// How to navigate.
     #[command(flatten)]
     pub navigator: NavigatorOptions,
+    /// The vertical channel and missing samples.
+    #[command(flatten)]
+    pub handling: Handling,
     /// Write no report.html and no drift.png
     #[arg(long)]
     pub no_report: bool,
-    /// Rows of drift.csv to write: every N-th sample, or one each S seconds, as in 10s [default: all]
+    /// Write nav.csv and truth.csv, too: the computed and the true motion, row by row
+    #[arg(long)]
+    pub rows: bool,
+    /// Rows of drift.csv (and of --rows) to write: every N-th sample, or one each S seconds, as in 10s [default: all]
     #[arg(long, value_name = "N|S", allow_negative_numbers = true, value_parser = Every::parse)]
     pub every: Option<Every>,
 }
@@ -64,7 +71,12 @@ pub struct HilArgs {
 impl HilArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
-        load(self.scene.as_deref(), &self.flight, &self.navigator)
+        load(self.scene.as_deref(), &self.flight, &self.navigator, &self.handling)
+    }
+
+    /// What is written of it.
+    pub fn wanted(&self) -> Wanted {
+        Wanted { every: self.every, report: !self.no_report, rows: self.rows }
     }
 
     /// How it is flown.

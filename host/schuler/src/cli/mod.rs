@@ -1,22 +1,24 @@
 //! The command line: commands, their options, and what they do to a scene.
 
+mod apart;
 mod audit;
 mod every;
 mod hil;
 mod options;
+mod replay;
 mod start;
 
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use every::{Every, Sieve};
 pub use hil::HilArgs;
-pub use options::{FlightOptions, NavigatorOptions, Window};
+pub use options::{FlightOptions, Handling, NavigatorOptions, Window};
+pub use replay::{Height, Lag, ReplayArgs};
 
+use crate::report::Wanted;
+use apart::Written;
 use clap::{Args, CommandFactory, Parser, Subcommand};
-use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::recording::foreign::{Columns, Given};
-use schuler_simulator::recording::mounting::Mounting;
-use schuler_simulator::rest::units::Units;
-use schuler_simulator::scene::{self, Gap, Scene, builtin};
+use schuler_simulator::input::InputError;
+use schuler_simulator::scene::{self, Scene, Vertical, builtin};
 use std::path::{Path, PathBuf};
 
 const ABOUT: &str = "Flies a strapdown inertial navigation system through a scene: \
@@ -86,36 +88,52 @@ pub struct RunArgs {
     /// How to navigate.
     #[command(flatten)]
     pub navigator: NavigatorOptions,
+    /// The vertical channel and missing samples.
+    #[command(flatten)]
+    pub handling: Handling,
     /// Skip nothing, even what the scene does not need
     #[arg(long)]
     pub force_all: bool,
     /// Write no report.html and no drift.png
     #[arg(long)]
     pub no_report: bool,
-    /// Rows of drift.csv to write: every N-th sample, or one each S seconds, as in 10s [default: all]
+    /// Write nav.csv and truth.csv, too: the computed and the true motion, row by row
+    #[arg(long)]
+    pub rows: bool,
+    /// Rows of drift.csv (and of --rows) to write: every N-th sample, or one each S seconds, as in 10s [default: all]
     #[arg(long, value_name = "N|S", allow_negative_numbers = true, value_parser = Every::parse)]
     pub every: Option<Every>,
 }
 
 impl RunArgs {
+    /// What is written of it.
+    pub fn wanted(&self) -> Wanted {
+        Wanted { every: self.every, report: !self.no_report, rows: self.rows }
+    }
+
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
         // A command with a slip of the pen is taken for a scene.
         let program = <Cli as CommandFactory>::command();
         let commands: Vec<_> = program.get_subcommands().map(clap::Command::get_name).collect();
-        load_beside(self.scene.as_deref(), &commands, &self.flight, &self.navigator)
+        let name = self.scene.as_deref();
+        load_beside(name, &commands, &self.flight, &self.navigator, &self.handling)
     }
 }
 
 /// Options of `emulate`.
 #[derive(Args, Clone, Debug, PartialEq)]
-#[command(after_help = "Example:\n  schuler emulate hard --out imu.csv --perfect")]
+#[command(after_help = "Examples:\n  schuler emulate hard --out imu.csv --perfect\n  \
+    schuler emulate paper --out imu.csv --truth truth.csv")]
 pub struct EmulateArgs {
     /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
     pub scene: Option<String>,
-    /// The file to write
+    /// The file to write; the state that navigation starts from goes to initial.toml beside it
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
+    /// Write the true motion, too: the columns of nav.csv, the start and a row per sample
+    #[arg(long, value_name = "FILE")]
+    pub truth: Option<PathBuf>,
     /// Without the scene's sensor errors
     #[arg(long)]
     pub perfect: bool,
@@ -133,105 +151,29 @@ impl EmulateArgs {
         let name = self.scene.as_deref().unwrap_or(builtin::DEFAULT);
         let mut scene = scene::load(name)?;
         self.flight.apply(&mut scene)?;
-        if builtin::scene(name).is_none() {
-            spare(&self.out, "the scene is read from", Path::new(name))?;
-        }
+        self.check(name)?;
         if self.perfect {
             scene.gyro = Default::default();
             scene.accelerometer = Default::default();
         }
         Ok(scene)
     }
-}
 
-/// Options of `replay`.
-#[derive(Args, Clone, Debug, PartialEq)]
-#[command(after_help = "Examples:\n  \
-    schuler replay --imu imu.csv --initial initial.toml --out nav.csv\n  \
-    schuler replay --imu car.imu --start 540 --align 120 --until 960 --out nav.csv\n  \
-    schuler replay --imu phone.csv --units g,deg/s --initial here.toml --align 20 --heading 40 --out nav.csv\n  \
-    schuler replay --imu log.csv --map map.toml --initial rtk.pos --align 20 --heading 40 --out nav.csv\n  \
-    schuler replay --imu log.csv --columns 7,4,5,6,1,2,3 --units g,deg/s,ms --axes forward-left-up \
-    --initial rtk.pos --align 20 --heading 40 --out nav.csv")]
-pub struct ReplayArgs {
-    /// The stream: an imu.csv, a PSINS .imu, a log of another known format, or any other by --map or --columns
-    #[arg(long, value_name = "FILE")]
-    pub imu: PathBuf,
-    /// What the stream's columns hold: a TOML file, or the name of a known format
-    #[arg(long, value_name = "FILE|NAME", conflicts_with = "columns")]
-    pub map: Option<String>,
-    /// Columns of time, gyros x, y, z and accelerometers x, y, z: names of the header or numbers from 1
-    #[arg(long, value_name = "T,X,Y,Z,X,Y,Z", value_parser = Columns::parse)]
-    pub columns: Option<Columns>,
-    /// Where x, y and z of the unit point, as in forward-left-up
-    #[arg(long, value_name = "AXES", value_parser = Mounting::parse)]
-    pub axes: Option<Mounting>,
-    /// The state to start from: a TOML file with the columns of nav.csv as keys, or with --align a .pos, NMEA, GPX
-    /// or KML file of positions; a PSINS .imu brings its own
-    #[arg(long, value_name = "FILE")]
-    pub initial: Option<PathBuf>,
-    /// The file to write
-    #[arg(long, value_name = "FILE")]
-    pub out: PathBuf,
-    /// Skip to this time of the recording
-    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::time_s)]
-    pub start: Option<f64>,
-    /// First stand still this long to find level and north
-    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::length_s)]
-    pub align: Option<f64>,
-    /// The heading to start from with --align, degrees from north to the east: gyros then need not find it
-    #[arg(long, value_name = "DEG", requires = "align", allow_negative_numbers = true, value_parser = options::heading_deg)]
-    pub heading: Option<f64>,
-    /// What the stream's numbers are in where that is not m/s², rad/s and s (increments: m/s and rad): words
-    /// with commas between, as in g,deg/s,ms; `increments` or `rates` overrules the header
-    #[arg(long, value_name = "WORDS", value_parser = Units::parse)]
-    pub units: Option<Units>,
-    /// End at this time of the recording
-    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::time_s)]
-    pub until: Option<f64>,
-    /// Samples per second, instead of what the time stamps say
-    #[arg(long, value_name = "HZ", allow_negative_numbers = true, value_parser = options::rate_hz)]
-    pub rate: Option<f64>,
-    /// What missing samples do
-    #[arg(long, value_name = "G", value_parser = options::named(Gap::NAMES))]
-    pub gap: Option<Gap>,
-    /// Write every N-th row, or a row each S seconds (10s, 0.5s), and the last [default: every row]
-    #[arg(long, value_name = "N|S", value_parser = Every::parse)]
-    pub every: Option<Every>,
-    /// How to navigate.
-    #[command(flatten)]
-    pub navigator: NavigatorOptions,
-}
-
-impl ReplayArgs {
-    /// What is said of the stream.
-    pub fn given(&self) -> Given {
-        Given {
-            map: self.map.clone(),
-            columns: self.columns.clone(),
-            units: self.units.unwrap_or_default(),
-            axes: self.axes,
-            rate_hz: self.rate,
-        }
+    /// Where the start goes: beside the stream, unless that is a pipe or a device.
+    pub fn initial(&self) -> Option<PathBuf> {
+        let is_file = !self.out.exists() || self.out.is_file();
+        is_file.then(|| self.out.with_file_name("initial.toml"))
     }
 
-    /// What no option alone can get wrong: `--out` is none of the files that are read.
-    pub fn check(&self) -> Result<(), InputError> {
-        spare(&self.out, "--imu reads", &self.imu)?;
-        let map = self.map.as_ref().map(Path::new);
-        map.map_or(Ok(()), |map| spare(&self.out, "--map reads", map))?;
-        self.initial.as_ref().map_or(Ok(()), |initial| spare(&self.out, "--initial reads", initial))
-    }
-}
-
-/// Refuses to write over a file that is read.
-fn spare(out: &Path, reads: &str, file: &Path) -> Result<(), InputError> {
-    match (out.canonicalize(), file.canonicalize()) {
-        (Ok(out), Ok(file)) if out == file => {
-            let what = format!("is the file that {reads}");
-            Err(InputError::option("--out", Complaint::new(what, "another file")))
-        }
-        _ => Ok(()),
+    /// No file is written over the scene, nor over another.
+    fn check(&self, scene: &str) -> Result<(), InputError> {
+        let mut written = vec![Written::named("--out", &self.out)];
+        written.extend(self.truth.as_deref().map(|truth| Written::named("--truth", truth)));
+        let what = "initial.toml beside it";
+        written.extend(self.initial().map(|path| Written { option: "--out", what, path }));
+        let is_file = builtin::scene(scene).is_none();
+        let read = is_file.then_some(("the scene is read from", Path::new(scene)));
+        apart::check(&written, read.as_slice())
     }
 }
 
@@ -280,7 +222,7 @@ pub struct EnsembleArgs {
     /// How many runs to fly, numbered from 0: what `run` flies is the first
     #[arg(long, value_name = "N", default_value = "64", allow_negative_numbers = true, value_parser = options::runs)]
     pub runs: u64,
-    /// Folder for ensemble.csv [default: out/ and the name of the scene]
+    /// Folder for ensemble.csv and ensemble.json [default: out/ and the name of the scene]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// What replaces the scene's own values.
@@ -289,12 +231,16 @@ pub struct EnsembleArgs {
     /// How to navigate.
     #[command(flatten)]
     pub navigator: NavigatorOptions,
+    /// The vertical channel: free, or held to the truth's height
+    #[arg(long, value_name = "V", value_parser = options::named(Vertical::NAMES))]
+    pub vertical: Option<Vertical>,
 }
 
 impl EnsembleArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
-        load(self.scene.as_deref(), &self.flight, &self.navigator)
+        let handling = Handling { vertical: self.vertical, gap: None };
+        load(self.scene.as_deref(), &self.flight, &self.navigator, &handling)
     }
 }
 
@@ -303,8 +249,9 @@ fn load(
     name: Option<&str>,
     flight: &FlightOptions,
     navigator: &NavigatorOptions,
+    handling: &Handling,
 ) -> Result<Scene, InputError> {
-    load_beside(name, &[], flight, navigator)
+    load_beside(name, &[], flight, navigator, handling)
 }
 
 /// The same where a command of these names may have been meant.
@@ -313,11 +260,13 @@ fn load_beside(
     commands: &[&str],
     flight: &FlightOptions,
     navigator: &NavigatorOptions,
+    handling: &Handling,
 ) -> Result<Scene, InputError> {
     let name = name.unwrap_or(builtin::DEFAULT);
     let mut scene = scene::load_beside(name, commands)?;
     flight.apply(&mut scene)?;
     navigator.apply(&mut scene.navigator)?;
+    handling.apply(&mut scene.navigator);
     start::check(&scene, name, navigator.frame)?;
     Ok(scene)
 }

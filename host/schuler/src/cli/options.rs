@@ -4,7 +4,9 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use schuler_simulator::input::{Complaint, InputError, Range};
 use schuler_simulator::navigator;
-use schuler_simulator::scene::{Algorithm, Axes, Navigator, Precision, Scene, WindowShape, limits};
+use schuler_simulator::scene::{
+    Algorithm, Axes, Gap, Navigator, Precision, Scene, Vertical, WindowShape, limits,
+};
 
 /// What a scene's own values may be replaced by.
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
@@ -35,6 +37,25 @@ pub struct NavigatorOptions {
     /// Window of the taylor algorithm: samples of history, block, look-ahead; or auto
     #[arg(long, value_name = "H,B,A", value_parser = window)]
     pub window: Option<Window>,
+}
+
+/// The vertical channel and missing samples.
+#[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
+pub struct Handling {
+    /// The vertical channel: free, or held to what is known of it
+    #[arg(long, value_name = "V", value_parser = named(Vertical::NAMES))]
+    pub vertical: Option<Vertical>,
+    /// What missing samples do: end it with an error, or be bridged
+    #[arg(long, value_name = "G", value_parser = named(Gap::NAMES))]
+    pub gap: Option<Gap>,
+}
+
+impl Handling {
+    /// Puts what was given in place of the scene's own.
+    pub fn apply(&self, navigator: &mut Navigator) {
+        navigator.vertical = self.vertical.unwrap_or(navigator.vertical);
+        navigator.gap = self.gap.unwrap_or(navigator.gap);
+    }
 }
 
 /// The value of `--window`: a shape, or none for "auto".
@@ -101,7 +122,7 @@ pub(super) fn named<T: Copy + Send + Sync + 'static>(
     })
 }
 
-fn number(text: &str, range: &Range) -> Result<f64, Complaint> {
+pub(super) fn number(text: &str, range: &Range) -> Result<f64, Complaint> {
     text.parse()
         .map_err(|_| Complaint::new("is not a number", range.accepted))
         .and_then(|value| range.check(value))
@@ -142,13 +163,5 @@ pub(super) fn heading_deg(text: &str) -> Result<f64, Complaint> {
 }
 
 fn window(text: &str) -> Result<Window, Complaint> {
-    if text == "auto" {
-        return Ok(Window(None));
-    }
-    let wrong = || Complaint::new("is not a window", limits::windows());
-    let counts: Vec<u64> =
-        text.split(',').map(|n| n.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
-    let [history, block, lookahead] = counts[..] else { return Err(wrong()) };
-    let shape = limits::window(history, block, lookahead);
-    shape.map(|shape| Window(Some(shape)))
+    limits::window_of(text).map(Window)
 }

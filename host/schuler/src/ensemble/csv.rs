@@ -3,6 +3,9 @@
 use super::statistics::Comparison;
 use schuler_simulator::flight::Nine;
 
+/// The file's name.
+pub const NAME: &str = "ensemble.csv";
+
 /// The columns of `ensemble.csv`, in the unit that the component's name carries. The χ² of the mean has
 /// one degree of freedom, that of the standard deviation one less than there are runs; `_probability`
 /// is how often chance alone lies that far out. They are empty where theory sees nothing scatter, and so is what it expects where its model has ended.

@@ -8,6 +8,7 @@ pub mod csv;
 pub mod pace;
 pub mod rounding;
 pub mod statistics;
+pub mod summary;
 pub mod table;
 
 pub use check::check;
@@ -16,7 +17,7 @@ use crate::cli::EnsembleArgs;
 use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::lanes::Registers;
 use schuler_simulator::number::{parameter, rounded, short};
-use schuler_simulator::output::{OutputFile, say};
+use schuler_simulator::output::{self, OutputFile, say};
 use schuler_simulator::progress::Progress;
 use schuler_simulator::simulate::FlightError;
 use schuler_simulator::source::{Source, SourceError};
@@ -26,11 +27,12 @@ use std::num::NonZero;
 use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
+use summary::Outcome;
 
 /// At how many times the drift is compared.
 const INSTANTS: u64 = 8;
 
-/// Flies, prints the comparison and writes `ensemble.csv`.
+/// Flies, prints the comparison and writes `ensemble.csv` and `ensemble.json`.
 pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     check(&scene)?;
@@ -42,7 +44,9 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let unit = ground.widest(args.runs);
     // A scene that cannot start, or a file that cannot be written, is found before the long work.
     ground.start(Unit::Alone, 0..1)?;
-    let file = OutputFile::create(directory.join("ensemble.csv"))?;
+    let names = [csv::NAME, summary::NAME];
+    let [table, summary] = names.map(|name| OutputFile::create(directory.join(name)));
+    let (mut table, mut summary) = (table?, summary?);
 
     let groups = args.runs.div_ceil(unit.runs() as u64);
     let cores = thread::available_parallelism().map_or(1, NonZero::get);
@@ -70,7 +74,18 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
         statistics::compare(readings, |sample| source.time_s(sample), &mut theory);
     let rounding = rounding::rounding(&ground, readings, threads, INSTANTS)?;
     let left_out = rounding::leave_out(&mut comparisons, &rounding, ended);
-    file.fill(csv::bytes(&comparisons))?;
+    let verdict = Verdict::new(&comparisons);
+    table.put(csv::bytes(&comparisons))?;
+    let outcome = Outcome {
+        scene: &scene,
+        window: ground.plan.window,
+        runs: [args.runs, flown.failed.len() as u64],
+        saturated: flown.saturated,
+        verdict: &verdict,
+        left_out,
+    };
+    summary.put(summary::json(&outcome, &names))?;
+    output::place(vec![table, summary], &[])?;
     let outside = statistics::outside(readings, |sample| source.time_s(sample), &mut theory);
     let mut text = table::table(&comparisons, ended);
     if let Some((time_s, outside)) = outside {
@@ -93,7 +108,7 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     text += &speed(args.runs, took, unit, threads, pace::navigation_ns(&ground, unit)?);
     text += &format!("written to {}\n", directory.display());
     say(&text)?;
-    match Verdict::new(&comparisons) {
+    match verdict {
         _ if !flown.failed.is_empty() => {
             Err(FlightError::Runs { failed: flown.failed.len(), runs: args.runs })
         }

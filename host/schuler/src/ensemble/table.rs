@@ -6,7 +6,7 @@ use schuler_simulator::flight::Nine;
 use schuler_simulator::number::{parameter, rounded, short};
 
 /// Characters of a line.
-const WIDTH: usize = 103;
+const WIDTH: usize = 111;
 /// What each of a comparison's tests is about.
 const TESTED: [&str; 2] = ["mean", "standard deviation"];
 
@@ -58,7 +58,7 @@ pub fn failures(failed: &[Failure], seed: u64, runs: u64, time_s: impl Fn(u64) -
 fn at_end(end: &[Comparison]) -> String {
     let time_s = end.first().map_or(0.0, |c| c.time_s);
     let mut text = format!(
-        "{:<14}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n{}\n",
+        "{:<22}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n{}\n",
         format!("at {} s", parameter(time_s)),
         "mean",
         "theory",
@@ -76,7 +76,7 @@ fn at_end(end: &[Comparison]) -> String {
             format!("{} {}", rounded(m.probability, 2), rounded(s.probability, 2))
         });
         text += &format!(
-            "{:<14}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n",
+            "{:<22}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n",
             Nine::NAMES[c.component],
             short(c.mean),
             told(c.mean_theory),
@@ -95,6 +95,11 @@ fn told(value: f64) -> String {
     if value.is_nan() { "–".to_owned() } else { short(value) }
 }
 
+/// A component's name for a narrow column: its unit says what it is.
+fn short_name(name: &str) -> &str {
+    name.trim_start_matches("attitude_")
+}
+
 /// A row per instant, a column per component.
 fn every_instant(
     title: &str,
@@ -103,15 +108,17 @@ fn every_instant(
     chance: &str,
 ) -> String {
     let mut text = format!("{title} ({chance})\n{:>9} ", "s");
-    text += &Nine::NAMES.map(|name| format!("{:>10}", name.trim_end_matches("_arcsec"))).concat();
+    let names = Nine::NAMES.map(short_name);
+    let widths = names.map(|name| (name.len() + 1).max(10));
+    text += &names.iter().zip(widths).map(|(name, w)| format!("{name:>w$}")).collect::<String>();
     text += &format!("\n{}\n", "─".repeat(WIDTH));
     for instant in instants {
         let Some(first) = instant.first() else { continue };
         text += &format!("{:>9} ", parameter(first.time_s));
-        for c in *instant {
+        for (c, w) in instant.iter().zip(widths) {
             let cell =
                 if c.tests.is_some() { format!("{:.2}", value(c)) } else { "–".to_owned() };
-            text += &format!("{cell:>10}");
+            text += &format!("{cell:>w$}");
         }
         text.push('\n');
     }
@@ -136,11 +143,12 @@ fn verdict(comparisons: &[Comparison]) -> String {
     let worst = format!("{what} of {name} at {time_s} s, p = {}", rounded(probability, 2));
     if failed == 0 {
         format!(
-            "The ensemble agrees with theory at {confidence} %: {tests} tests, the least likely the {worst}\n"
+            "The ensemble agrees with theory at {confidence} %: {tests} tests,\n\
+             the least likely the {worst}\n"
         )
     } else {
         format!(
-            "The ensemble does not agree with theory at {confidence} %: {failed} of {tests} tests fail, \
+            "The ensemble does not agree with theory at {confidence} %: {failed} of {tests} tests fail,\n\
              the worst the {worst}\n"
         )
     }

@@ -94,7 +94,7 @@ fn fly_to_files(
     let device = args.device.to_string();
     let met = meet(channel, &args.manner(), &device)?;
     let progress = Progress::new(scene.samples());
-    let mut files = FlightFiles::create(directory, args.every, args.no_report)?;
+    let mut files = FlightFiles::create(directory, args.wanted())?;
     let flown =
         fly_as_far(scene, met, &args.manner(), log, &mut |instant| files.row(instant), &|sample| {
             progress.reach(sample)

@@ -1,5 +1,6 @@
 //! The flight through a recording: samples one by one, for alignment or navigation.
 
+use super::held::Held;
 use super::rows::Rows;
 use super::spans::{Place, Spans};
 use crate::cli::ReplayArgs;
@@ -8,22 +9,22 @@ use schuler::solution::Solution;
 use schuler_simulator::high::Neglected;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator::{self, Navigate, Unavailable};
-use schuler_simulator::output::large_table;
+use schuler_simulator::output::{OutputFile, large_table};
 use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::clock::Clock;
+use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
 use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::recording::samples::{MOST_BRIDGED, Sample, Samples};
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::recording::timeline::Misfit;
+use schuler_simulator::recording::track::Track;
 use schuler_simulator::rest::align;
 use schuler_simulator::rest::opening::Opening;
 use schuler_simulator::scene::{Gap as Policy, Navigator, WindowShape};
 use schuler_simulator::simulate::FlightError;
 use schuler_simulator::units::DEGREE;
-
-/// A time, s, and the navigation then.
-type Row = (f64, Solution<f64>);
+use std::path::Path;
 
 /// What came of it.
 pub struct Flight {
@@ -37,6 +38,28 @@ pub struct Flight {
     pub outside: (u64, Option<InputError>),
     /// What the series of gravity neglects at the height reached.
     pub neglected: Option<Neglected>,
+    /// Samples that were flown.
+    pub samples: u64,
+    /// Digest of every state.
+    pub digest: u64,
+    /// `nav.csv`, not in its place yet.
+    pub nav: OutputFile,
+    /// Every row, where they are to be compared.
+    pub track: Option<Track>,
+}
+
+/// What a flight is flown by.
+pub struct Orders<'a> {
+    /// The command line.
+    pub args: &'a ReplayArgs,
+    /// How to navigate.
+    pub options: Navigator,
+    /// The window.
+    pub shape: WindowShape,
+    /// The height that the vertical is held to.
+    pub heights: Option<Heights>,
+    /// Where the rows go.
+    pub nav: &'a Path,
 }
 
 /// Missing samples that were filled from their neighbours.
@@ -71,6 +94,8 @@ struct Flying<'a> {
     even: bool,
     navigator: Box<dyn Navigate>,
     rows: Rows,
+    held: Option<Held<'a>>,
+    samples: u64,
     /// Where it was not aligned.
     opening: Option<Opening<'a>>,
 }
@@ -81,10 +106,9 @@ pub fn fly(
     survey: &Survey,
     spans: &Spans,
     initial: &NavigationRow,
-    options: &Navigator,
-    shape: WindowShape,
-    args: &ReplayArgs,
+    orders: &Orders,
 ) -> Result<Flight, FlightError> {
+    let (args, options) = (orders.args, &orders.options);
     let mut samples = Samples::new(recording, survey, Some(spans.begin_s))?;
     let mut still = align::gather(spans.navigate_s - spans.begin_s);
     // Of the stretch at rest: samples that were there, and that were missing.
@@ -128,9 +152,7 @@ pub fn fly(
                             start =
                                 align::align(&still, kind, name, initial, heading, there, lost)?;
                         }
-                        none.insert(Flying::new(
-                            recording, survey, spans, options, shape, &start, args,
-                        )?)
+                        none.insert(Flying::new(recording, survey, spans, orders, &start)?)
                     }
                 };
                 if sample.filled {
@@ -145,8 +167,8 @@ pub fn fly(
     pass_over(samples.trailing(), spans, &mut outside)?;
     progress.finish();
     let flying = flying.ok_or_else(|| spans.empty())?;
-    let (last, neglected) = flying.finish()?;
-    Ok(Flight { start: start.solution(), last, bridged, outside, neglected })
+    let flight = flying.finish(start.solution())?;
+    Ok(Flight { bridged, outside, ..flight })
 }
 
 impl<'a> Flying<'a> {
@@ -154,41 +176,46 @@ impl<'a> Flying<'a> {
         recording: &'a Recording,
         survey: &Survey,
         spans: &Spans,
-        options: &Navigator,
-        shape: WindowShape,
+        orders: &'a Orders,
         start: &NavigationRow,
-        args: &ReplayArgs,
     ) -> Result<Self, FlightError> {
+        let Orders { args, options, shape, heights, nav } = orders;
         let (order, interval) = (plan::HIGHEST_ORDER, survey.clock.interval());
         let opening = args.align.is_none();
         let opening = opening.then(|| Opening::new(&recording.name, recording.kind, start));
         let start = (spans.navigate_s, start.solution());
         let navigator =
-            navigator::start(options, shape, order, interval, &start.1).map_err(unavailable)?;
+            navigator::start(options, *shape, order, interval, &start.1).map_err(unavailable)?;
         let interval_s = survey.clock.interval_s();
         let samples = (spans.until_s.min(survey.end_s) - start.0) / interval_s;
         let kept =
             args.every.map_or(samples as u64, |every| every.kept(samples as u64, interval_s));
-        if let Some(warning) = large_table(&args.out, kept, COLUMNS.len()) {
+        if let Some(warning) = large_table(nav, kept, COLUMNS.len()) {
             eprintln!("{warning}");
         }
         let even = matches!(survey.clock, Clock::Even { .. });
-        let rows = Rows::new(&args.out, args.every, start)?;
-        Ok(Self { recording, even, navigator, rows, opening })
+        let rows = Rows::new(nav, args.every, start, args.reference.is_some())?;
+        let held = heights.as_ref().map(Held::new);
+        Ok(Self { recording, even, navigator, rows, held, samples: 0, opening })
     }
 
     fn take(&mut self, sample: &Sample) -> Result<(), FlightError> {
-        let Self { recording, even, navigator, rows, opening } = self;
+        let Self { recording, even, navigator, rows, held, samples, opening } = self;
         if let Some(opening) = opening {
             opening.add(&sample.increment, sample.interval_s)?;
         }
-        rows.expect(sample.time_s);
+        rows.expect(sample.time_s, sample.end_s);
+        *samples += 1;
         let taken = if *even {
             navigator.push(&sample.increment, &mut |_, row| rows.add(row))
         } else {
             let interval_s = sample.interval_s;
             navigator.push_over(&sample.increment, interval_s, &mut |_, row| rows.add(row))
         };
+        let taken = taken.and_then(|()| match held {
+            Some(held) => held.hold(navigator.as_mut(), sample.end_s),
+            None => Ok(()),
+        });
         taken.map_err(|why| {
             let complaint = Complaint::new(why.to_string(), "");
             FlightError::Stopped(recording.error(sample.line, complaint))
@@ -196,15 +223,18 @@ impl<'a> Flying<'a> {
         Ok(rows.check()?)
     }
 
-    /// The last row with its time, and what gravity's series neglects.
-    fn finish(self) -> Result<(Row, Option<Neglected>), InputError> {
-        let Self { mut navigator, mut rows, mut opening, .. } = self;
+    /// The end of a flight that started in a state.
+    fn finish(self, start: Solution<f64>) -> Result<Flight, InputError> {
+        let Self { mut navigator, mut rows, mut opening, samples, .. } = self;
         if let Some(opening) = &mut opening {
             opening.finish()?;
         }
         navigator.finish(&mut |_, row| rows.add(row));
-        let neglected = rows.highest.neglected();
-        Ok((rows.finish()?, neglected))
+        let (neglected, last) = (rows.highest.neglected(), rows.last);
+        let (nav, track) = rows.finish()?;
+        let (bridged, outside) = (Bridged::default(), (0, None));
+        let digest = navigator.digest();
+        Ok(Flight { start, last, bridged, outside, neglected, samples, digest, nav, track })
     }
 }
 

@@ -1,34 +1,63 @@
 //! `schuler replay`: navigates a recorded stream.
 
+mod comparison;
+mod files;
 mod fly;
+mod held;
 mod initial;
+mod page;
+pub mod places;
 mod report;
 mod rows;
 mod spans;
+mod summary;
+mod table;
 
-use crate::cli::ReplayArgs;
+use crate::cli::{Height, ReplayArgs};
+use comparison::Has;
+use files::ReportFiles;
+use fly::Orders;
+use places::Places;
 use schuler::flight::plan;
+use schuler_simulator::flight::Instant;
+use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::number::parameter;
 use schuler_simulator::output::say;
+use schuler_simulator::recording::heights::Heights;
+use schuler_simulator::recording::navigation::NavigationRow;
+use schuler_simulator::recording::reference::Reference;
 use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::recording::survey::Survey;
-use schuler_simulator::scene::{Algorithm, Navigator, WindowShape};
+use schuler_simulator::scene::{Algorithm, Navigator, Vertical, WindowShape};
 use schuler_simulator::simulate::FlightError;
+use summary::About;
 
 /// Navigates a recording and writes `nav.csv`, a row per sample or fewer. Prints what its stamps say, what
 /// was aligned to, and where the vehicle ends up.
 ///
-/// The recording is gone through twice, once to look and once to navigate, and never held in memory.
+/// The recording is gone through twice, once to look and once to navigate, and never held in memory; the rows
+/// are, where there is a reference to compare them with.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
     let recording = Recording::open_as(&args.imu.display().to_string(), &args.given())?;
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
-    options.gap = args.gap.unwrap_or(options.gap);
+    args.handling.apply(&mut options);
+    options.vertical = args.vertical();
+    let reference = args
+        .reference
+        .as_ref()
+        .map(|file| Reference::open(&file.display().to_string(), recording.scale));
+    let reference = reference.transpose()?;
     let (initial, args) = &initial::initial(args, &recording)?;
 
     let measured = spans::about(args, initial);
     let survey = Survey::of(&recording, args.rate.map(|rate_hz| 1.0 / rate_hz), measured)?;
     let spans = spans::Spans::new(args, &survey, initial)?;
+    let end_s = spans.until_s.min(survey.end_s);
+    if let Some(reference) = &reference {
+        comparison::check(reference, spans.navigate_s, end_s)?;
+    }
     let shape = shape(&options, &survey);
     for line in survey.said(&recording) {
         say(&format!("{line}\n"))?;
@@ -39,9 +68,67 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
         let motion = survey.motion_said();
         say(&format!("window {history},{block},{lookahead} {how}: {motion}\n"))?;
     }
-    let flight = fly::fly(&recording, &survey, &spans, initial, &options, shape, args)?;
-    say(&report::text(&flight, &spans, args.align.is_some()))?;
+    let heights = heights(args, &options, initial, [spans.navigate_s, end_s])?;
+    let places = Places::new(&args.out, reference.is_some());
+    let has =
+        reference.as_ref().map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
+    let mut files = has.map(|has| ReportFiles::create(&places, has)).transpose()?.flatten();
+    let orders = Orders { args, options, shape, heights, nav: &places.nav };
+    let mut flight = fly::fly(&recording, &survey, &spans, initial, &orders)?;
+    let mut text = report::text(&flight, &spans, args.align.is_some());
+    let mut filled = Vec::new();
+    if let (Some(reference), Some(track)) = (&reference, flight.track.take()) {
+        let mut row = |instant: &Instant| files.as_mut().map_or(Ok(()), |files| files.row(instant));
+        let comparison = comparison::compare(&track, reference, args.lag, &mut row)?;
+        let (imu, rate_hz) = (recording.name.as_str(), 1.0 / survey.clock.interval_s());
+        let about = About { imu, rate_hz, options: &orders.options, shape, spans: &spans };
+        text += &table::table(&comparison);
+        if let Some(files) = files {
+            filled = files.fill(&flight, &comparison, &about)?;
+        }
+    }
+    files::place(flight.nav, filled)?;
+    let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
+    let nav = places.nav.display();
+    say(&format!("{text}written to {nav}{}\n", report.unwrap_or_default()))?;
     Ok(())
+}
+
+/// The height that the vertical is held to, where it is; it must be known all along, s.
+fn heights(
+    args: &ReplayArgs,
+    options: &Navigator,
+    initial: &NavigationRow,
+    [from_s, to_s]: [f64; 2],
+) -> Result<Option<Heights>, FlightError> {
+    if options.vertical == Vertical::Free {
+        return Ok(None);
+    }
+    let own_m = initial.position.altitude;
+    let (heights, whose) = match &args.height {
+        None => (Heights::constant(own_m), "the altitude of the start".to_owned()),
+        Some(Height::Metres(metres)) => (Heights::constant(*metres), format!("{metres} m")),
+        Some(Height::File(file)) => {
+            let name = file.display().to_string();
+            let heights = Heights::read(&name)?;
+            // Half a second beyond the ends is no more than a sample.
+            if let Some([first_s, last_s]) = heights.span_s()
+                && (first_s > from_s + 0.5 || last_s < to_s - 0.5)
+            {
+                let what = format!("has heights from {first_s} to {last_s} s alone");
+                let accepted = format!("heights from {from_s} to {to_s} s, which is flown");
+                return Err(InputError::file(&name, Complaint::new(what, accepted)).into());
+            }
+            (heights, name)
+        }
+    };
+    let [altitude_m, _] = heights.at(from_s);
+    let off = match altitude_m - own_m {
+        0.0 => String::new(),
+        off_m => format!(", at the start {} m from the initial altitude", parameter(off_m)),
+    };
+    say(&format!("vertical held to {whose}{off}\n"))?;
+    Ok(Some(heights))
 }
 
 /// The window to fly: what is asked for, else what the samples support.

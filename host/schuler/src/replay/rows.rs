@@ -4,7 +4,9 @@ use crate::cli::{Every, Sieve};
 use schuler::solution::Solution;
 use schuler_simulator::high::Highest;
 use schuler_simulator::input::InputError;
+use schuler_simulator::output::OutputFile;
 use schuler_simulator::recording::navigation::{NavigationRow, NavigationWriter};
+use schuler_simulator::recording::track::Track;
 use std::collections::VecDeque;
 use std::path::Path;
 
@@ -12,8 +14,10 @@ use std::path::Path;
 pub struct Rows {
     writer: NavigationWriter,
     sieve: Sieve,
-    /// Times of the rows that are still to come, s.
-    times_s: VecDeque<f64>,
+    /// Of the rows that are still to come: their stamps and their ends by the recording's clock, s.
+    times_s: VecDeque<[f64; 2]>,
+    /// Every row, where it is to be compared.
+    track: Option<Track>,
     /// The last row there was.
     pub last: (f64, Solution<f64>),
     last_is_written: bool,
@@ -28,11 +32,17 @@ impl Rows {
         out: &Path,
         every: Option<Every>,
         start: (f64, Solution<f64>),
+        is_compared: bool,
     ) -> Result<Self, InputError> {
+        let mut track = is_compared.then(Track::default);
+        if let Some(track) = &mut track {
+            track.push(start.0, &start.1);
+        }
         Ok(Self {
             writer: NavigationWriter::create(out)?,
             sieve: Sieve::new(every, start.0),
             times_s: VecDeque::new(),
+            track,
             last: start,
             last_is_written: true,
             highest: Highest::default(),
@@ -40,14 +50,18 @@ impl Rows {
         })
     }
 
-    /// A sample is about to be flown: the time of its row, s.
-    pub fn expect(&mut self, time_s: f64) {
-        self.times_s.push_back(time_s);
+    /// A sample is about to be flown: the stamp of its row, and its end by the recording's clock, s.
+    pub fn expect(&mut self, time_s: f64, end_s: f64) {
+        self.times_s.push_back([time_s, end_s]);
     }
 
     /// The next row.
     pub fn add(&mut self, row: &Solution<f64>) {
-        self.last = (self.times_s.pop_front().unwrap_or(self.last.0), *row);
+        let [time_s, end_s] = self.times_s.pop_front().unwrap_or([self.last.0; 2]);
+        self.last = (time_s, *row);
+        if let Some(track) = &mut self.track {
+            track.push(end_s, row);
+        }
         self.highest.reach(row.position.latitude.hi, row.position.altitude.hi);
         self.last_is_written = self.sieve.keeps(self.last.0);
         if self.last_is_written {
@@ -67,13 +81,12 @@ impl Rows {
         std::mem::replace(&mut self.written, Ok(()))
     }
 
-    /// Puts the file in its place; returns the last row.
-    pub fn finish(mut self) -> Result<(f64, Solution<f64>), InputError> {
+    /// The file, whole, but not in its place yet, and every row that is to be compared.
+    pub fn finish(mut self) -> Result<(OutputFile, Option<Track>), InputError> {
         if !self.last_is_written {
             self.write();
         }
         self.written?;
-        self.writer.finish()?;
-        Ok(self.last)
+        Ok((self.writer.into_file(), self.track))
     }
 }

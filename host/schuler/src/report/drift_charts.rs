@@ -67,6 +67,9 @@ fn error_row(instants: &[Instant], group: usize) -> [Chart; 3] {
                 })
                 .collect(),
         };
+        let is_expected = instants.iter().any(|i| part(&i.mean, axis).is_finite());
+        let mean = is_expected.then(|| curve("mean", Ink::Text, MEAN, |i| &i.mean));
+        let error = curve("error", ink, ERROR, |i| &i.drift);
         let is_random = instants.iter().any(|i| part(&i.sigma, axis) > 0.0);
         Chart {
             title: format!("{direction} {name}, {}", unit.name),
@@ -74,10 +77,7 @@ fn error_row(instants: &[Instant], group: usize) -> [Chart; 3] {
             y: spans[axis].clone(),
             is_map: false,
             bands: if is_random { BANDS.iter().map(band).collect() } else { Vec::new() },
-            curves: vec![
-                curve("mean", Ink::Text, MEAN, |i| &i.mean),
-                curve("error", ink, ERROR, |i| &i.drift),
-            ],
+            curves: mean.into_iter().chain([error]).collect(),
             marks: Vec::new(),
         }
     })
@@ -91,6 +91,20 @@ fn alike(spans: [Axis; 3]) -> [Axis; 3] {
         return spans;
     }
     spans.map(|axis| Axis { from, to, ..axis })
+}
+
+/// The rows of [`errors`] of which something is known.
+pub fn known(charts: [[Chart; 3]; 3]) -> Vec<[Chart; 3]> {
+    let is_known = |chart: &Chart| {
+        let error = chart.curves.last();
+        error.is_some_and(|curve| curve.points.iter().any(|point| point[1].is_finite()))
+    };
+    charts.into_iter().filter(|row| row.iter().any(is_known)).collect()
+}
+
+/// Whether a chart has theory's mean.
+pub fn has_mean(chart: &Chart) -> bool {
+    chart.curves.len() > 1
 }
 
 /// What lines and areas of [`errors`] mean, from a point to the right.

@@ -1,20 +1,20 @@
 //! `drift.csv`: a row per sample, or fewer, written as the run goes.
 
-use crate::cli::{Every, Sieve};
+use super::thinned::Thinned;
+use crate::cli::Every;
 use schuler_simulator::flight::{Instant, Nine};
 use schuler_simulator::input::InputError;
 use schuler_simulator::output::{NumberTable, OutputFile};
 use std::path::Path;
 
+/// The file's name.
+pub const NAME: &str = "drift.csv";
+
 /// A `drift.csv` being written.
 #[derive(Debug)]
 pub struct DriftCsv {
     table: NumberTable,
-    sieve: Sieve,
-    /// The last row, where it was left out.
-    left_out: Option<Instant>,
-    /// Whether the start has been written.
-    is_begun: bool,
+    kept: Thinned,
 }
 
 impl DriftCsv {
@@ -25,7 +25,7 @@ impl DriftCsv {
         columns.extend(Nine::NAMES);
         columns.extend(sigma.iter().map(String::as_str));
         let table = NumberTable::create(path, &columns)?;
-        Ok(Self { table, sieve: Sieve::new(every, 0.0), left_out: None, is_begun: false })
+        Ok(Self { table, kept: Thinned::new(every, 0.0) })
     }
 
     /// How many numbers there are in a row, those apart that are zero throughout.
@@ -36,10 +36,7 @@ impl DriftCsv {
 
     /// Takes the next instant: the first is written, the last, and those in between that are wanted.
     pub fn row(&mut self, instant: &Instant) -> Result<(), InputError> {
-        let is_kept = !self.is_begun || self.sieve.keeps(instant.time_s);
-        self.is_begun = true;
-        self.left_out = (!is_kept).then_some(*instant);
-        if is_kept { self.write(instant) } else { Ok(()) }
+        if self.kept.keeps(instant) { self.write(instant) } else { Ok(()) }
     }
 
     /// Time, drift and standard deviations.
@@ -50,7 +47,7 @@ impl DriftCsv {
 
     /// The file, whole, but not in its place yet.
     pub fn into_file(mut self) -> Result<OutputFile, InputError> {
-        if let Some(last) = self.left_out.take() {
+        if let Some(last) = self.kept.last() {
             self.write(&last)?;
         }
         Ok(self.table.into_file())
@@ -75,8 +72,8 @@ mod tests {
         file.into_file().unwrap().finish().unwrap();
 
         let mut reader = csv::Reader::from_path(&path).unwrap();
-        let names =
-            "north_m east_m down_m north_m_s east_m_s down_m_s roll_arcsec pitch_arcsec yaw_arcsec";
+        let names = "north_m east_m down_m north_m_s east_m_s down_m_s attitude_north_arcsec \
+             attitude_east_arcsec attitude_down_arcsec";
         let names: Vec<&str> = names.split(' ').collect();
         let header: Vec<String> = ["time_s".to_owned()]
             .into_iter()

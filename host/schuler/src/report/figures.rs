@@ -13,24 +13,29 @@ const WIDE: (f32, f32) = (812.0, 320.0);
 
 /// Errors in three rows of three, with their legend.
 pub fn errors(instants: &[Instant]) -> String {
-    let charts = drift_charts::errors(instants);
+    let charts = drift_charts::known(drift_charts::errors(instants));
     let has_bands = charts.iter().flatten().any(|chart| !chart.bands.is_empty());
-    let mut legend = Svg::default();
-    drift_charts::legend(&mut legend, [2.0, 11.0], has_bands);
+    let has_mean = charts.iter().flatten().any(drift_charts::has_mean);
     let figures: String =
         charts.into_iter().flatten().map(|chart| figure(chart, CHART, "")).collect();
-    format!(
-        "<div class=\"legend\">{}</div>\n<div class=\"charts\">\n{figures}</div>\n",
-        legend.finish(420.0, 22.0, "role=\"img\" aria-label=\"legend\"")
-    )
+    let figures = format!("<div class=\"charts\">\n{figures}</div>\n");
+    if !has_mean {
+        return figures;
+    }
+    let mut legend = Svg::default();
+    drift_charts::legend(&mut legend, [2.0, 11.0], has_bands);
+    let legend = legend.finish(420.0, 22.0, "role=\"img\" aria-label=\"legend\"");
+    format!("<div class=\"legend\">{legend}</div>\n{figures}")
 }
 
 /// Ground track and height, and the attitude below them.
 pub fn motion(instants: &[Instant]) -> String {
     let track = figure(motion_charts::ground_track(instants), MAP, "");
     let height = figure(motion_charts::height(instants), WIDE, " class=\"wide\"");
+    let is_known = instants.iter().any(|instant| instant.attitude_deg[0].is_finite());
     let attitude = motion_charts::attitude(instants).map(|chart| figure(chart, CHART, ""));
-    format!("<div class=\"charts\">\n{track}{height}{}</div>\n", attitude.concat())
+    let attitude = if is_known { attitude.concat() } else { String::new() };
+    format!("<div class=\"charts\">\n{track}{height}{attitude}</div>\n")
 }
 
 fn figure(chart: Chart, (width, height): (f32, f32), class: &str) -> String {

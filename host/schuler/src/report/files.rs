@@ -1,19 +1,33 @@
 //! The files of a flight: they get their names together when it has ended, with or without an error.
 
-use super::{DriftCsv, html, plot, summary};
+use super::rows::{self, RowFiles};
+use super::{DriftCsv, drift_csv, head, html, plot, summary};
 use crate::cli::Every;
 use schuler_simulator::flight::{Flight, Instant};
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::{self, OutputFile};
 use std::path::{Path, PathBuf};
 
-/// `summary.json`, `drift.csv`, `drift.png` and `report.html` of a flight under way.
+/// What is to be written besides `summary.json` and `drift.csv`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wanted {
+    /// The rows of tables; all of them unless told.
+    pub every: Option<Every>,
+    /// `drift.png` and `report.html`.
+    pub report: bool,
+    /// `nav.csv` and `truth.csv`.
+    pub rows: bool,
+}
+
+/// `summary.json`, `drift.csv`, `drift.png`, `report.html`, `nav.csv` and `truth.csv` of a flight under way.
 #[derive(Debug)]
 pub struct FlightFiles {
     drift: DriftCsv,
     summary: OutputFile,
     /// The picture and the page, where they are wanted.
     pages: Option<[OutputFile; 2]>,
+    /// The motion, where it is wanted.
+    rows: Option<RowFiles>,
     /// Files of an earlier flight that this one has none to put in the place of.
     stale: Vec<PathBuf>,
 }
@@ -25,44 +39,67 @@ pub fn of_earlier(folder: &Path) -> Option<String> {
 }
 
 impl FlightFiles {
-    /// To be in a folder, with all rows of the drift or some. What cannot be written is found here,
-    /// before the flight.
-    pub fn create(
-        folder: &Path,
-        every: Option<Every>,
-        no_report: bool,
-    ) -> Result<Self, InputError> {
-        let drift = DriftCsv::create(&folder.join("drift.csv"), every)?;
+    /// To be in a folder. What cannot be written is found here, before the flight.
+    pub fn create(folder: &Path, wanted: Wanted) -> Result<Self, InputError> {
+        let Wanted { every, report, rows } = wanted;
+        let drift = DriftCsv::create(&folder.join(drift_csv::NAME), every)?;
         let summary = OutputFile::create(folder.join(summary::NAME))?;
+        let mut stale = Vec::new();
         let pages = [plot::NAME, html::NAME].map(|name| folder.join(name));
-        if no_report {
-            return Ok(Self { drift, summary, pages: None, stale: pages.to_vec() });
-        }
-        let [picture, page] = pages.each_ref().map(OutputFile::create);
-        Ok(Self { drift, summary, pages: Some([picture?, page?]), stale: Vec::new() })
+        let pages = if report {
+            let [picture, page] = pages.each_ref().map(OutputFile::create);
+            Some([picture?, page?])
+        } else {
+            stale.extend(pages);
+            None
+        };
+        let rows = if rows {
+            Some(RowFiles::create(folder, every)?)
+        } else {
+            // Files of these names may be anybody's, unless an earlier flight says that they are its own.
+            let written = head::files_of(&folder.join(summary::NAME));
+            let is_own = |name: &&str| written.iter().any(|written| written == name);
+            stale.extend(
+                rows::NAMES.iter().filter(|name| is_own(name)).map(|name| folder.join(name)),
+            );
+            None
+        };
+        Ok(Self { drift, summary, pages, rows, stale })
     }
 
     /// Takes the next instant.
     pub fn row(&mut self, instant: &Instant) -> Result<(), InputError> {
-        self.drift.row(instant)
+        self.drift.row(instant)?;
+        self.rows.as_mut().map_or(Ok(()), |rows| rows.row(instant))
     }
 
     /// Writes what is known at the end, and puts all in their places.
     pub fn finish(self, flight: &Flight) -> Result<(), InputError> {
-        let Self { drift, mut summary, pages, stale } = self;
-        summary.put(summary::json(flight))?;
+        let Self { drift, mut summary, pages, rows, stale } = self;
         let mut files = vec![drift.into_file()?];
+        let mut names = vec![drift_csv::NAME];
         if let Some([mut picture, mut page]) = pages {
-            let drawn = plot::png(flight).map_err(|error| {
-                let complaint = Complaint::new(format!("cannot be drawn: {error}"), "");
-                InputError::file(&picture.path().display().to_string(), complaint)
-            });
-            picture.put(drawn?)?;
+            picture.put(drawn(&picture, plot::png(flight))?)?;
             page.put(html::page(flight))?;
             files.extend([picture, page]);
+            names.extend([plot::NAME, html::NAME]);
+        }
+        if let Some(rows) = rows {
+            files.extend(rows.into_files()?);
+            names.extend(rows::NAMES);
         }
         // Last, so that whoever waits for it finds the others.
+        names.push(summary::NAME);
+        summary.put(summary::json(flight, &names))?;
         files.push(summary);
         output::place(files, &stale)
     }
+}
+
+/// A picture, or why it could not be drawn.
+pub fn drawn(picture: &OutputFile, png: std::io::Result<Vec<u8>>) -> Result<Vec<u8>, InputError> {
+    png.map_err(|error| {
+        let complaint = Complaint::new(format!("cannot be drawn: {error}"), "");
+        InputError::file(&picture.path().display().to_string(), complaint)
+    })
 }

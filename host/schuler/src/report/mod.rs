@@ -7,20 +7,23 @@ pub mod drift_charts;
 pub mod drift_csv;
 pub mod figures;
 pub mod files;
+pub mod head;
 pub mod html;
 pub mod link_table;
 pub mod motion_charts;
 pub mod parameters;
 pub mod plot;
+pub mod rows;
 #[cfg(test)]
 mod sample;
 pub mod summary;
 pub mod table;
+pub mod thinned;
 
 use schuler_simulator::flight::{Flight, Instant, Nine};
 
 pub use drift_csv::DriftCsv;
-pub use files::FlightFiles;
+pub use files::{FlightFiles, Wanted};
 pub use table::table;
 
 /// The time of the last instant, s; 0 of none.
@@ -74,7 +77,8 @@ fn heading(flight: &Flight) -> String {
     )
 }
 
-fn norm(vector: [f64; 3]) -> f64 {
+/// The length of a vector of any size.
+pub fn norm(vector: [f64; 3]) -> f64 {
     // Scaled, so that no square under- or overflows.
     let scale = largest(vector);
     if scale == 0.0 || !scale.is_finite() {

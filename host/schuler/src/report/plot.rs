@@ -4,7 +4,7 @@ use super::{drift_charts, heading};
 use schuler_report::canvas::{Anchor, Canvas, Ink, Lettering};
 use schuler_report::chart::Frame;
 use schuler_report::raster::Raster;
-use schuler_simulator::flight::Flight;
+use schuler_simulator::flight::{Flight, Instant};
 use std::io;
 
 const WIDTH: u32 = 1200;
@@ -14,14 +14,21 @@ const HEAD: f32 = 60.0;
 
 /// The picture as a PNG.
 pub fn png(flight: &Flight) -> io::Result<Vec<u8>> {
+    sheet(&flight.scene.title, &heading(flight), &flight.overview)
+}
+
+/// The same of any instants, below a title and a line about them.
+pub fn sheet(title: &str, about: &str, instants: &[Instant]) -> io::Result<Vec<u8>> {
     let mut sheet = Raster::new(WIDTH, HEIGHT).ok_or_else(|| io::Error::other("no font"))?;
     let letters = |size, bold| Lettering { size, bold, anchor: Anchor::Start };
     let left = EDGE + 14.0;
-    sheet.text([left, 30.0], &flight.scene.title, Ink::Text, letters(20.0, true));
-    sheet.text([left, 50.0], &heading(flight), Ink::Muted, letters(12.5, false));
-    let charts = drift_charts::errors(&flight.overview);
+    sheet.text([left, 30.0], title, Ink::Text, letters(20.0, true));
+    sheet.text([left, 50.0], about, Ink::Muted, letters(12.5, false));
+    let charts = drift_charts::known(drift_charts::errors(instants));
     let has_bands = charts.iter().flatten().any(|chart| !chart.bands.is_empty());
-    drift_charts::legend(&mut sheet, [if has_bands { 780.0 } else { 970.0 }, 26.0], has_bands);
+    if charts.iter().flatten().any(drift_charts::has_mean) {
+        drift_charts::legend(&mut sheet, [if has_bands { 780.0 } else { 970.0 }, 26.0], has_bands);
+    }
     let width = (WIDTH as f32 - 2.0 * EDGE) / 3.0;
     let height = (HEIGHT as f32 - HEAD - EDGE) / 3.0;
     for (row, charts) in charts.iter().enumerate() {

@@ -36,6 +36,7 @@ fn instant(time_s: f64, scale: f64) -> Instant {
         sigma,
         position: [45.0 + 5.0 * swing, 100.0 + 5.0 * swing, 3500.0 + 2000.0 * swing],
         attitude_deg: [5.0 * swing, 5.0 * swing, 5.0 * swing],
+        ..Instant::default()
     }
 }
 
@@ -65,6 +66,7 @@ pub fn scaled(scale: f64) -> Flight {
     let scene = Scene {
         name: "paper".to_owned(),
         title: "The paper's flight".to_owned(),
+        text_sha256: "00".repeat(32),
         duration_s: 1800.0,
         rate_hz: 20.0,
         seed: 1,

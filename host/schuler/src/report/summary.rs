@@ -1,5 +1,6 @@
 //! `summary.json`: a run in numbers, for programs.
 
+use super::head::Head;
 use super::{Nine, norm};
 use schuler_simulator::flight::{Edges, Ended, Flight, LinkReport, Planned};
 use schuler_simulator::high::Neglected;
@@ -8,7 +9,10 @@ use serde::Serialize;
 
 #[derive(Serialize)]
 struct Summary<'a> {
+    #[serde(flatten)]
+    head: Head<'a>,
     scene: &'a str,
+    scene_sha256: &'a str,
     samples: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     ended: Option<&'a Ended>,
@@ -20,6 +24,8 @@ struct Summary<'a> {
     algorithm: &'static str,
     #[serde(with = "schuler_simulator::scene::window")]
     window: Option<WindowShape>,
+    vertical: &'static str,
+    gap: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     planned: Option<Planned>,
     edges: Option<Edges>,
@@ -57,7 +63,7 @@ struct Theory {
 
 /// Signed or largest components; the other three are norms.
 #[derive(Serialize)]
-struct Components {
+pub struct Components {
     north_m: f64,
     east_m: f64,
     down_m: f64,
@@ -74,23 +80,26 @@ struct Time {
 }
 
 impl Components {
-    fn new(nine: &Nine, [position_m, velocity_m_s, attitude_arcsec]: [f64; 3]) -> Self {
+    /// Of components and norms.
+    pub fn new(nine: &Nine, [position_m, velocity_m_s, attitude_arcsec]: [f64; 3]) -> Self {
         let [north_m, east_m, down_m] = nine.position_m;
         Self { north_m, east_m, down_m, position_m, velocity_m_s, attitude_arcsec }
     }
 
     /// Of standard deviations the norm is the root of the covariance's trace.
-    fn with_norms(nine: &Nine) -> Self {
+    pub fn with_norms(nine: &Nine) -> Self {
         let norms = [nine.position_m, nine.velocity_m_s, nine.attitude_arcsec].map(norm);
         Self::new(nine, norms)
     }
 }
 
 impl<'a> Summary<'a> {
-    fn new(flight: &'a Flight) -> Self {
+    fn new(flight: &'a Flight, files: &'a [&'a str]) -> Self {
         let scene = &flight.scene;
         Self {
+            head: Head::new(if flight.link.is_some() { "hil" } else { "run" }, files),
             scene: &scene.name,
+            scene_sha256: &scene.text_sha256,
             samples: flight.samples,
             ended: flight.ended.as_ref(),
             duration_s: if flight.ended.is_some() { flight.last.time_s } else { scene.duration_s },
@@ -100,6 +109,8 @@ impl<'a> Summary<'a> {
             frame: scene.navigator.frame.name(),
             algorithm: scene.navigator.algorithm.name(),
             window: flight.window,
+            vertical: scene.navigator.vertical.name(),
+            gap: scene.navigator.gap.name(),
             planned: flight.planned,
             edges: flight.edges,
             skipped: flight
@@ -129,10 +140,16 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// The summary as JSON. Numbers round-trip; one that is not finite becomes `null`.
-pub fn json(flight: &Flight) -> String {
-    let mut text = serde_json::to_string_pretty(&Summary::new(flight))
-        .expect("strings and numbers have a JSON form");
+/// The summary as JSON, which names the files that belong together. Numbers round-trip; one that is not
+/// finite becomes `null`.
+pub fn json(flight: &Flight, files: &[&str]) -> String {
+    text(&Summary::new(flight, files))
+}
+
+/// Any summary as JSON.
+pub fn text(summary: &impl Serialize) -> String {
+    let mut text =
+        serde_json::to_string_pretty(summary).expect("strings and numbers have a JSON form");
     text.push('\n');
     text
 }
@@ -152,8 +169,8 @@ mod tests {
 
     #[test]
     fn has_every_key() {
-        let tree: Value = serde_json::from_str(&json(&sample::flight())).unwrap();
-        let plain = "scene samples duration_s rate_hz seed precision frame algorithm window.history \
+        let tree: Value = serde_json::from_str(&json(&sample::flight(), &[NAME])).unwrap();
+        let plain = "schema_version kind version command files scene_sha256 vertical gap scene samples duration_s rate_hz seed precision frame algorithm window.history \
                      window.block window.lookahead edges.first.gyro edges.first.accelerometer \
                      edges.last.gyro edges.last.accelerometer skipped saturated lost digest \
                      time.trajectory_ns_per_sample time.emulate_ns_per_sample time.navigate_ns_per_sample";
@@ -173,7 +190,7 @@ mod tests {
     #[test]
     fn numbers_round_trip_and_norms_are_norms() {
         let flight = sample::flight();
-        let tree: Value = serde_json::from_str(&json(&flight)).unwrap();
+        let tree: Value = serde_json::from_str(&json(&flight, &[NAME])).unwrap();
         let number = |path| at(&tree, path).as_f64().unwrap();
         let last = &flight.last;
         assert_eq!(number("error.final.north_m").to_bits(), last.drift.position_m[0].to_bits());
@@ -192,7 +209,7 @@ mod tests {
     #[test]
     fn a_flight_that_ended_early_says_where_and_why() {
         let mut flight = sample::flight();
-        let whole: Value = serde_json::from_str(&json(&flight)).unwrap();
+        let whole: Value = serde_json::from_str(&json(&flight, &[NAME])).unwrap();
         assert_eq!(whole.get("ended"), None);
         let reason = "sample 36001 at 1800.05 s: it is lost".to_owned();
         flight.ended = Some(Ended {
@@ -203,7 +220,7 @@ mod tests {
             planned_duration_s: 2000.0,
         });
         flight.scene.duration_s = 2000.0;
-        let tree: Value = serde_json::from_str(&json(&flight)).unwrap();
+        let tree: Value = serde_json::from_str(&json(&flight, &[NAME])).unwrap();
         assert_eq!(at(&tree, "ended.sample"), 36_001);
         assert_eq!(at(&tree, "ended.reason"), &Value::from(reason));
         assert_eq!(at(&tree, "ended.planned_duration_s"), 2000.0);
@@ -215,7 +232,7 @@ mod tests {
         let mut flight = sample::flight();
         (flight.window, flight.time) = (None, None);
         flight.last.drift.position_m[0] = f64::NAN;
-        let tree: Value = serde_json::from_str(&json(&flight)).unwrap();
+        let tree: Value = serde_json::from_str(&json(&flight, &[NAME])).unwrap();
         for key in ["window", "time", "error.final.north_m"] {
             assert!(at(&tree, key).is_null(), "{key}");
         }

@@ -43,8 +43,13 @@ impl Column {
 
 /// The table's five columns.
 pub fn columns(flight: &Flight) -> [Column; 5] {
+    columns_of(&rows(flight))
+}
+
+/// The five columns of some rows.
+pub fn columns_of(rows: &[&Instant]) -> [Column; 5] {
     let unit = |quantity: Quantity, part: fn(&Nine) -> [f64; 3]| {
-        let rows = rows(flight).into_iter();
+        let rows = rows.iter();
         quantity.unit(largest(rows.flat_map(|i| [i.drift, i.mean, i.sigma]).flat_map(|n| part(&n))))
     };
     let position = unit(Quantity::Position, |nine| nine.position_m);
@@ -72,19 +77,25 @@ pub fn columns(flight: &Flight) -> [Column; 5] {
 
 /// The instants of the table's rows: spread evenly, the last one included.
 pub fn rows(flight: &Flight) -> Vec<&Instant> {
+    rows_of(&flight.overview, &flight.last)
+}
+
+/// The same of some instants and the last one.
+pub fn rows_of<'a>(overview: &'a [Instant], last: &'a Instant) -> Vec<&'a Instant> {
+    let start_s = overview.first().map_or(0.0, |instant| instant.time_s);
     let mut rows: Vec<&Instant> = Vec::with_capacity(ROWS);
     for k in 1..ROWS {
-        let time_s = flight.last.time_s * k as f64 / ROWS as f64;
-        let after = flight.overview.partition_point(|instant| instant.time_s < time_s);
-        let nearest = flight.overview[after.saturating_sub(1)..]
+        let time_s = start_s + (last.time_s - start_s) * k as f64 / ROWS as f64;
+        let after = overview.partition_point(|instant| instant.time_s < time_s);
+        let nearest = overview[after.saturating_sub(1)..]
             .iter()
             .take(2)
             .min_by(|a, b| (a.time_s - time_s).abs().total_cmp(&(b.time_s - time_s).abs()));
         rows.extend(nearest);
     }
-    rows.retain(|instant| instant.time_s < flight.last.time_s);
+    rows.retain(|instant| instant.time_s < last.time_s);
     rows.dedup_by_key(|instant| instant.time_s);
-    rows.push(&flight.last);
+    rows.push(last);
     rows
 }
 

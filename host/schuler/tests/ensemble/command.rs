@@ -39,7 +39,7 @@ fn a_small_ensemble_prints_its_table_and_writes_its_file() {
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 8 * 9);
-    assert_eq!((&rows[71][0], &rows[71][1]), ("120.0", "yaw_arcsec"));
+    assert_eq!((&rows[71][0], &rows[71][1]), ("120.0", "attitude_down_arcsec"));
     for row in &rows {
         assert!(row.iter().enumerate().all(|(i, x)| i == 1 || x.parse::<f64>().is_ok()), "{row:?}");
     }

@@ -11,8 +11,10 @@ mod navigation;
 mod output;
 mod psins;
 mod rates;
+mod reference;
 mod replay;
 mod stamps;
+mod truth;
 
 use schuler_simulator::input::InputError;
 use schuler_simulator::recording::csv::INCREMENTS;

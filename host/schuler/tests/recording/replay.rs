@@ -3,7 +3,7 @@
 use super::{at_rest, even, near, scattered, scratch, text};
 use clap::Parser;
 use schuler_host::cli::{Cli, Command};
-use schuler_host::{emulate, replay};
+use schuler_host::{emulate, replay, run};
 use schuler_simulator::recording::csv::{INCREMENTS, RATES};
 use std::fs;
 use std::path::Path;
@@ -12,17 +12,18 @@ const INITIAL: &str = "time_s = 0\nlatitude_deg = 45\nlongitude_deg = 10\naltitu
     north_m_s = 0\neast_m_s = 0\ndown_m_s = 0\nroll_deg = 0\npitch_deg = 0\nyaw_deg = 0\n";
 
 /// Runs a command line; the message where it fails.
-pub(super) fn run(line: &[&str]) -> Result<(), String> {
+pub fn program(line: &[&str]) -> Result<(), String> {
     let arguments = ["schuler"].iter().chain(line);
     match Cli::try_parse_from(arguments).map_err(|e| e.to_string())?.command() {
         Command::Replay(args) => replay::replay(&args).map_err(|e| e.to_string()),
         Command::Emulate(args) => emulate::emulate(&args).map_err(|e| e.to_string()),
+        Command::Run(args) => run::run(&args).map_err(|e| e.to_string()),
         _ => Err("another command".to_owned()),
     }
 }
 
 /// The rows of a table, as numbers.
-pub(super) fn rows(path: &Path) -> Vec<Vec<f64>> {
+pub fn rows(path: &Path) -> Vec<Vec<f64>> {
     let table = fs::read_to_string(path).unwrap_or_else(|e| panic!("{e}"));
     let number = |field: &str| field.parse().unwrap_or_else(|e| panic!("{e}"));
     table.lines().skip(1).map(|line| line.split(',').map(number).collect()).collect()
@@ -36,12 +37,12 @@ fn flown(imu: &str, initial: &str, more: &[&str]) -> Result<Vec<Vec<f64>>, Strin
     fs::write(at("initial.toml"), initial).expect("the disk has room");
     let (imu, initial, out) = (at("imu.csv"), at("initial.toml"), at("nav.csv"));
     let line = ["replay", "--imu", text(&imu), "--initial", text(&initial), "--out", text(&out)];
-    run(&[&line[..], more].concat())?;
+    program(&[&line[..], more].concat())?;
     Ok(rows(&out))
 }
 
 /// Metres from one row of nav.csv to another.
-pub(super) fn apart(a: &[f64], b: &[f64]) -> f64 {
+pub fn apart(a: &[f64], b: &[f64]) -> f64 {
     let per_degree = 6.37e6_f64.to_radians();
     let east = (a[2] - b[2]) * per_degree * a[1].to_radians().cos();
     ((a[1] - b[1]) * per_degree).hypot(east).hypot(a[3] - b[3])
@@ -69,7 +70,8 @@ fn a_manoeuvre_in_uneven_steps_is_the_same_manoeuvre() {
     for (name, more) in [("fine.csv", &[][..]), ("rates.csv", &["--rates"])] {
         let out = at(name);
         let line = ["emulate", "manoeuvre", "--perfect", "--rate", "10000", "--duration", "5"];
-        run(&[&line[..], &["--out", text(&out)], more].concat()).unwrap_or_else(|e| panic!("{e}"));
+        program(&[&line[..], &["--out", text(&out)], more].concat())
+            .unwrap_or_else(|e| panic!("{e}"));
     }
     let initial = "time_s = 0\nlatitude_deg = 45\nlongitude_deg = 100\naltitude_m = 3000\n\
         north_m_s = 281.7\neast_m_s = 342\ndown_m_s = -45\nroll_deg = 0\npitch_deg = 11.155\n\
@@ -178,7 +180,7 @@ fn motion_that_is_not_resolved_does_not_throw_a_replay() {
         latitude_deg = 45\n";
     fs::write(at("cone.toml"), scene).expect("the disk has room");
     let (cone, out) = (at("cone.toml"), at("imu.csv"));
-    run(&["emulate", text(&cone), "--perfect", "--out", text(&out)]).expect("it is a scene");
+    program(&["emulate", text(&cone), "--perfect", "--out", text(&out)]).expect("it is a scene");
     let initial = "time_s = 0\nlatitude_deg = 45\nlongitude_deg = 0\naltitude_m = 0\n\
         north_m_s = 0\neast_m_s = 0\ndown_m_s = 0\nroll_deg = 0.1\npitch_deg = 0\nyaw_deg = 0\n";
     let imu = fs::read_to_string(&out).expect("it is there");

@@ -23,8 +23,8 @@ fn theory_ends_where_its_model_does() {
     let (out, is_null) = run("");
     assert!(!out.contains("not comparable") && !is_null, "{out}");
     for (errors, words) in [
-        ("[initial_error]\nyaw_arcsec = 72000\n", "are no small rotations"),
-        ("[initial_error]\nroll_arcsec = 7200\n", "second-order terms of attitude"),
+        ("[initial_error]\nattitude_down_arcsec = 72000\n", "are no small rotations"),
+        ("[initial_error]\nattitude_north_arcsec = 7200\n", "second-order terms of attitude"),
         ("turn_on_bias_deg_h = 10000\n", "linear model ends"),
         ("quantization_arcsec = 1000\n", "gyro steps of 1000″ are coarse"),
         ("[accelerometer]\nquantization_m_s = 2\n", "accelerometer steps of 2.000 m/s are coarse"),

@@ -241,7 +241,7 @@ fn angles_out_of_range() {
 
 #[test]
 fn names_and_windows() {
-    for key in ["frame", "precision", "algorithm", "vertical", "gap", "window"] {
+    for key in ["frame", "precision", "algorithm", "vertical", "gap"] {
         let text = format!("[navigator]\n{key} = \"sideways\"\n");
         expect_more(
             &text,
@@ -251,6 +251,10 @@ fn names_and_windows() {
         );
     }
     let window = |shape: &str| format!("[navigator]\nwindow = {shape}\n");
+    let text = window("\"2,4\"");
+    expect_more(&text, 4, "navigator.window", &["\"2,4\" is not a window", "\"auto\"", "2,4,2"]);
+    let unknown = window("\"2,0,2\"");
+    expect_more(&unknown, 4, "navigator.window", &["there is no window 2,0,2", "2,4,2"]);
     let empty = window("{ history = 2, block = 0, lookahead = 2 }");
     expect_more(&empty, 4, "navigator.window", &["there is no window 2,0,2", "2,4,2"]);
     let long = window("{ history = 30, block = 30, lookahead = 30 }");

@@ -2,6 +2,7 @@
 
 #![expect(clippy::excessive_precision, reason = "expected values keep their printed digits")]
 
+mod attitude;
 mod builtin;
 mod errors;
 mod navigators;

@@ -2,7 +2,7 @@
 
 use super::csv::{INCREMENTS, RATES};
 use crate::input::InputError;
-use crate::output::NumberTable;
+use crate::output::{NumberTable, OutputFile};
 use schuler::math::vector::Vector;
 use schuler::sample::{Increment, Rates};
 use std::path::Path;
@@ -44,5 +44,10 @@ impl ImuWriter {
     /// Puts the file in its place.
     pub fn finish(self) -> Result<(), InputError> {
         self.table.finish()
+    }
+
+    /// The file, whole, but not in its place yet.
+    pub fn into_file(self) -> OutputFile {
+        self.table.into_file()
     }
 }

@@ -51,6 +51,18 @@ pub fn window(history: u64, block: u64, lookahead: u64) -> Result<WindowShape, C
     })
 }
 
+/// A window's shape from text: three counts with commas between, or none of "auto".
+pub fn window_of(text: &str) -> Result<Option<WindowShape>, Complaint> {
+    if text == "auto" {
+        return Ok(None);
+    }
+    let wrong = || Complaint::new(format!("\"{text}\" is not a window"), windows());
+    let counts: Vec<u64> =
+        text.split(',').map(|n| n.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
+    let [history, block, lookahead] = counts[..] else { return Err(wrong()) };
+    window(history, block, lookahead).map(Some)
+}
+
 impl Channel {
     /// The largest magnitude of the n-th derivative (n > 0), at most.
     fn derivative_bound(&self, n: i32) -> f64 {

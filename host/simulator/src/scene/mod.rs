@@ -25,6 +25,8 @@ pub struct Scene {
     pub name: String,
     /// One line for people.
     pub title: String,
+    /// SHA-256 of the text that it was read from, hex.
+    pub text_sha256: String,
     /// Length, s.
     pub duration_s: f64,
     /// Inertial samples per second.

@@ -11,7 +11,7 @@ const OVERVIEW: u64 = 3000;
 const FIRST_MINUTE: u64 = 3000;
 
 /// What is kept of a run's instants.
-pub(super) struct Log {
+pub struct Log {
     stride: u64,
     minute_stride: u64,
     minute: u64,

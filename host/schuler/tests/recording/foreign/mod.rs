@@ -5,7 +5,7 @@ mod maps;
 mod start;
 mod told;
 
-use super::replay::{apart, rows, run};
+use super::replay::{apart, program, rows};
 use super::{scratch, text};
 use schuler_simulator::recording::foreign::Given;
 use schuler_simulator::recording::rows::Recording;
@@ -44,7 +44,7 @@ impl Sway {
         ] {
             let out = at(name);
             let line = ["emulate", text(&scene), "--perfect", "--out", text(&out)];
-            run(&[&line[..], more].concat()).unwrap_or_else(|e| panic!("{e}"));
+            program(&[&line[..], more].concat()).unwrap_or_else(|e| panic!("{e}"));
         }
         let samples = |name: &str| -> Vec<Sample> {
             rows(&at(name)).into_iter().map(|row| row.try_into().expect("seven")).collect()
@@ -73,7 +73,7 @@ impl Sway {
         let initial = self.write("initial.toml", &initial);
         let out = self.path("nav.csv");
         let line = ["replay", "--imu", text(imu), "--initial", text(&initial), "--out", text(&out)];
-        run(&[&line[..], more].concat())?;
+        program(&[&line[..], more].concat())?;
         Ok(rows(&out))
     }
 }

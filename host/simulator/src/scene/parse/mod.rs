@@ -12,6 +12,7 @@ use crate::input::document::{Document, Section, Value};
 use crate::input::{Complaint, InputError, Range};
 use crate::navigator;
 use crate::units::ARCSECOND;
+use sha2::{Digest as _, Sha256};
 use std::path::Path;
 
 const KEYS: &[&str] = &[
@@ -41,6 +42,7 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     let scene = Scene {
         title: title.unwrap_or(&name).to_owned(),
         name,
+        text_sha256: hash(text),
         duration_s: root.number("duration_s", &limits::DURATION_S)?,
         rate_hz: root.number("rate_hz", &limits::RATE_HZ)?,
         seed: root.get("seed").map_or(Ok(1), |v| v.integer(0, u64::MAX))?,
@@ -57,10 +59,14 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     Ok(scene)
 }
 
+/// SHA-256, as `sha256sum` prints it.
+fn hash(text: &str) -> String {
+    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
-    let Some(section) = root.section("initial_error", &Nine::NAMES)? else {
-        return Ok(InitialError::default());
-    };
+    let section = root.section("initial_error", &Nine::NAMES).map_err(renamed)?;
+    let Some(section) = section else { return Ok(InitialError::default()) };
     let three = |first: usize, range: Range, unit| -> Result<[f64; 3], InputError> {
         let get = |key: usize| Ok(section.number_or(Nine::NAMES[key], 0.0, &range)? * unit);
         Ok([get(first)?, get(first + 1)?, get(first + 2)?])
@@ -73,6 +79,20 @@ fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
         velocity_m_s: three(3, speed, 1.0)?,
         attitude_rad: three(6, angle, ARCSECOND)?,
     })
+}
+
+/// Tells the name of today where a key has one of before.
+fn renamed(mut error: InputError) -> InputError {
+    let key = error.key.as_deref().unwrap_or_default();
+    let former = Nine::FORMER.iter().zip(&Nine::NAMES[6..]);
+    let found =
+        former.zip(["north", "east", "down"]).find(|((former, _), _)| key.ends_with(*former));
+    if let Some(((_, name), axis)) = found {
+        let what =
+            format!("is not a key of [initial_error]: the rotation about {axis} is `{name}`");
+        error.complaint = Complaint::new(what, Nine::NAMES.join(", "));
+    }
+    error
 }
 
 fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {
@@ -98,7 +118,8 @@ fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {
 
 fn window(value: &Value<'_>) -> Result<Option<WindowShape>, InputError> {
     if value.is_text() {
-        return value.choice(&[("auto", None)]);
+        let text = value.text(&limits::windows())?;
+        return limits::window_of(text).map_err(|complaint| value.error(complaint));
     }
     if !value.is_table() {
         let complaint = Complaint::new("is neither text nor a table", limits::windows());

@@ -1,0 +1,66 @@
+//! The files of a replay, which take their places together.
+
+use super::comparison::{Comparison, Has};
+use super::fly::Flight;
+use super::places::{Places, REPORT};
+use super::summary::About;
+use super::{page, summary};
+use crate::report::files::drawn;
+use schuler_simulator::flight::{Instant, Nine};
+use schuler_simulator::input::InputError;
+use schuler_simulator::output::{self, NumberTable, OutputFile};
+
+/// The report being written, apart from its table of drift.
+pub struct ReportFiles {
+    drift: NumberTable,
+    picture: OutputFile,
+    page: OutputFile,
+    summary: OutputFile,
+    has: Has,
+}
+
+impl ReportFiles {
+    /// To be in their places; none where no report is wanted. What cannot be written is found here,
+    /// before the flight.
+    pub fn create(places: &Places, has: Has) -> Result<Option<Self>, InputError> {
+        let Some(folder) = &places.report else { return Ok(None) };
+        let [drift, picture, page, summary] = REPORT.map(|name| folder.join(name));
+        let names = has.numbers().map(|i| Nine::NAMES[i]);
+        let columns: Vec<_> = ["time_s"].into_iter().chain(names).collect();
+        Ok(Some(Self {
+            drift: NumberTable::create(drift, &columns)?,
+            picture: OutputFile::create(picture)?,
+            page: OutputFile::create(page)?,
+            summary: OutputFile::create(summary)?,
+            has,
+        }))
+    }
+
+    /// A row of `drift.csv`: a time, and the errors that are known.
+    pub fn row(&mut self, instant: &Instant) -> Result<(), InputError> {
+        let numbers = instant.drift.numbers();
+        let known = self.has.numbers().map(|i| numbers[i]);
+        let row: Vec<f64> = [instant.time_s].into_iter().chain(known).collect();
+        self.drift.row(&row)
+    }
+
+    /// Writes what is known at the end; the files, whole, but not in their places yet.
+    pub fn fill(
+        self,
+        flight: &Flight,
+        comparison: &Comparison,
+        about: &About,
+    ) -> Result<Vec<OutputFile>, InputError> {
+        let Self { drift, mut picture, mut page, mut summary, .. } = self;
+        let png = drawn(&picture, page::png(flight, comparison, about))?;
+        picture.put(png)?;
+        page.put(page::page(flight, comparison, about))?;
+        summary.put(summary::json(flight, comparison, about, &REPORT))?;
+        Ok(vec![drift.into_file(), picture, page, summary])
+    }
+}
+
+/// Puts `nav.csv` and a report in their places.
+pub fn place(nav: OutputFile, report: Vec<OutputFile>) -> Result<(), InputError> {
+    output::place([nav].into_iter().chain(report).collect(), &[])
+}

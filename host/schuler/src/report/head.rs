@@ -1,0 +1,41 @@
+//! What every summary says of its origin: by it a result can be made again, and read by a program of another
+//! version.
+
+use serde::Serialize;
+use std::path::Path;
+
+/// Of the form of a summary: it grows where a key gets another meaning or goes.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// The start of a summary.
+#[derive(Clone, Debug, Serialize)]
+pub struct Head<'a> {
+    schema_version: u32,
+    /// What was done: `run`, `hil`, `replay` or `ensemble`.
+    kind: &'a str,
+    /// The program's.
+    version: &'static str,
+    /// The command line, an argument each.
+    command: Vec<String>,
+    /// The files that belong together, this one included.
+    files: &'a [&'a str],
+}
+
+impl<'a> Head<'a> {
+    /// Of what was done, and the files that were written of it.
+    pub fn new(kind: &'a str, files: &'a [&'a str]) -> Self {
+        let arguments = std::env::args_os().skip(1);
+        let arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
+        let command = std::iter::once("schuler".to_owned()).chain(arguments).collect();
+        let version = env!("CARGO_PKG_VERSION");
+        Self { schema_version: SCHEMA_VERSION, kind, version, command, files }
+    }
+}
+
+/// The files that a summary in a folder says belong to it; none where there is no summary.
+pub fn files_of(summary: &Path) -> Vec<String> {
+    let text = std::fs::read_to_string(summary).unwrap_or_default();
+    let tree: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    let files = tree["files"].as_array().into_iter().flatten();
+    files.filter_map(|name| name.as_str().map(str::to_owned)).collect()
+}

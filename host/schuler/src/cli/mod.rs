@@ -51,7 +51,7 @@ pub enum Command {
     /// Write the sensors' stream of a scene
     Emulate(EmulateArgs),
     /// Navigate a recorded stream
-    Replay(ReplayArgs),
+    Replay(Box<ReplayArgs>),
     /// Measure run time against error
     Frontier(FrontierArgs),
     /// Run the table of numerical stability, each row against its bound

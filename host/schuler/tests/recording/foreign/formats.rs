@@ -221,10 +221,10 @@ fn the_slower_sensor_is_interpolated() {
     let halves: Vec<_> = sway.rates.iter().skip(1).step_by(2).copied().collect();
     let path = sway.write("Gyroscope.csv", &gyro(&sway.rates));
     sway.write("TotalAcceleration.csv", &accelerometer(&[&sway.rates[..1], &halves].concat()));
-    alike(&sway, "rates.csv", &path, DAY as f64, &[], 1e-6);
+    alike(&sway, "rates.csv", &path, DAY as f64, &[], 3e-7);
     sway.write("Gyroscope.csv", &gyro(&[&sway.rates[..1], &halves].concat()));
     sway.write("TotalAcceleration.csv", &accelerometer(&sway.rates));
-    alike(&sway, "rates.csv", &path, DAY as f64, &[], 1e-6);
+    alike(&sway, "rates.csv", &path, DAY as f64, &[], 3e-7);
     // A gap is named where it matters.
     let holed: Vec<_> = [&sway.rates[..200], &sway.rates[230..]].concat();
     sway.write("Gyroscope.csv", &gyro(&sway.rates));

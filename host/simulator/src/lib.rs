@@ -12,7 +12,7 @@
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
-//! | [`reference`] | positions of others: a reference, way-points |
+//! | [`mod@reference`] | positions of others: a reference, way-points |
 
 pub mod emulator;
 pub mod ensemble;

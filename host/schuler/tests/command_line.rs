@@ -19,7 +19,7 @@ fn run(line: &str) -> RunArgs {
 
 fn replay(line: &str) -> ReplayArgs {
     match parse(line).unwrap_or_else(|e| panic!("{line}: {e}")) {
-        Command::Replay(arguments) => arguments,
+        Command::Replay(arguments) => *arguments,
         other => panic!("{line}: {other:?}"),
     }
 }

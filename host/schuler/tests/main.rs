@@ -6,6 +6,7 @@
 //! | `left_behind` | what is left of a run that is stopped or cannot go on |
 //! | `scene` | what scenes may say |
 //! | `recording`, `rest` | what recordings may say, and what contradicts itself |
+//! | `reference` | positions that others measured |
 //! | `audit` | chains, recorded and compared |
 //! | `ensemble` | many runs |
 //! | `frontier` | run time against error |
@@ -22,6 +23,7 @@ mod frontier;
 mod hil;
 mod left_behind;
 mod recording;
+mod reference;
 mod rest;
 mod scene;
 mod stochastic;

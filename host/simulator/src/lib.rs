@@ -13,6 +13,7 @@
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
+//! | [`mod@reference`] | positions of others: a reference, way-points |
 
 pub mod course;
 pub mod emulator;
@@ -29,6 +30,7 @@ pub mod plan;
 pub mod portrait;
 pub mod progress;
 pub mod recording;
+pub mod reference;
 pub mod rest;
 pub mod rounding;
 pub mod scene;

@@ -41,6 +41,7 @@ pub mod sensor;
 pub mod solution;
 #[cfg(feature = "trajectory")]
 pub mod trajectory;
+pub mod units;
 
 #[doc(inline)]
 pub use prelude::*;

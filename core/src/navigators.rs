@@ -1,7 +1,7 @@
 //! Ready-made navigators: the combinations of frame, arithmetic and window that most programs want.
 //!
-//! Each alias is generic over the scalar, `f32` or `f64`. The number in a name counts the samples that
-//! a block is fitted through.
+//! Each alias is generic over the scalar, `f32` or `f64`. The number in a name is the number of samples that a
+//! block is fitted to.
 //!
 //! | alias | frame | window | delay behind the newest sample | cost per sample |
 //! |---|---|---|---|---|
@@ -15,12 +15,12 @@
 //! | [`TextbookNavigator`] | local-level | sample by sample | none | 1 |
 //! | [`EarthFixedTextbookNavigator`] | Earth-fixed | sample by sample | none | about 1 |
 //!
-//! The cost is in units of our own textbook step, with a series of the order that the motion needs;
-//! the README has the accuracy of each. [`Strapdown::predict`] gives the navigation at the newest
-//! sample whatever the delay.
+//! The cost is in units of the crate's own textbook step, with a series of the order that the motion needs. The
+//! README has the accuracy of each. [`Strapdown::predict`] gives the navigation at the newest
+//! sample, without the delay.
 //!
-//! Local-level axes end 640 m from a pole; Earth-fixed axes end nowhere. In single precision the
-//! local-level frame is the more accurate one, since no number in it is as large as the Earth.
+//! Local-level axes end 640 m from a pole. Earth-fixed axes work everywhere. In single precision the local-level
+//! frame is more accurate, because none of its numbers is as large as the Earth.
 //!
 //! ```
 //! use schuler::prelude::*;
@@ -41,34 +41,34 @@ use crate::strapdown::mechanization::Mechanization;
 use crate::strapdown::navigator::Strapdown;
 use crate::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 
-/// Local-level, four samples to a block and no look-ahead: cheap, for motion that is slow against the
-/// sampling. The one for a microcontroller.
+/// Local-level, blocks of four samples, no look-ahead. It is cheap, suits motion that is slow compared with the
+/// sampling, and is the usual choice for a microcontroller.
 pub type Navigator4<R> = Strapdown<LocalLevel<Pair<R>>, H0B4A0>;
 
-/// Local-level, eight samples about a block of four: for hard motion, with two samples of look-ahead.
+/// Local-level, eight samples about a block of four, two of them look-ahead: for fast motion.
 pub type Navigator8<R> = Strapdown<LocalLevel<Pair<R>>, H2B4A2>;
 
-/// Local-level, eight samples up to the end of a block of four: the most accurate without look-ahead.
+/// Local-level, eight samples up to the end of a block of four: the most accurate one without look-ahead.
 pub type PromptNavigator8<R> = Strapdown<LocalLevel<Pair<R>>, H4B4A0>;
 
-/// Local-level with two-float products: single precision that is good to about a millimetre in half an
-/// hour, at twice the cost of [`Navigator4`]. In `f64` it has little to add.
+/// Local-level with two-float products: accurate to about a millimetre in half an hour in single precision, at
+/// twice the cost of [`Navigator4`]. In `f64` it adds little.
 pub type PreciseNavigator4<R> = Strapdown<LocalLevel<TwoFloat<R>>, H0B4A0>;
 
-/// Earth-fixed, four samples to a block and no look-ahead: the cheap one that also flies over the poles.
+/// Earth-fixed, blocks of four samples, no look-ahead: cheap, and valid at the poles too.
 pub type EarthFixedNavigator4<R> = Strapdown<EarthFixed<Pair<R>>, H0B4A0>;
 
-/// Earth-fixed, eight samples about a block of four: for hard motion, with two samples of look-ahead.
+/// Earth-fixed, eight samples about a block of four, two of them look-ahead: for fast motion.
 pub type EarthFixedNavigator8<R> = Strapdown<EarthFixed<Pair<R>>, H2B4A2>;
 
-/// Earth-fixed, a parabola over forty samples: the cheapest, for slow and smooth motion alone.
+/// Earth-fixed, a parabola over forty samples: the cheapest, only for slow and smooth motion.
 pub type EarthFixedNavigator40<R> = Strapdown<EarthFixed<Pair<R>>, Parabola40>;
 
-/// The textbook's algorithm in local-level axes: a step per sample, no delay, to compare with.
+/// The textbook's algorithm in local-level axes, for comparison: one step per sample, no delay.
 pub type TextbookNavigator<R> = Textbook<LocalLevelTextbook<R>>;
 
 /// The textbook's algorithm in Earth-fixed axes.
 pub type EarthFixedTextbookNavigator<R> = Textbook<EarthFixedTextbook<R>>;
 
-/// The state that belongs to a navigator, to name it in a struct: `StateOf<Navigator4<f32>>`.
+/// The state type of a navigator, for use in a struct: `StateOf<Navigator4<f32>>`.
 pub type StateOf<M> = <M as Mechanization>::State;

@@ -1,4 +1,4 @@
-//! Navigation as plain numbers, to show or to log: degrees, metres and metres per second.
+//! Navigation as plain numbers for display and logs, in degrees, metres and metres per second.
 
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
@@ -7,8 +7,8 @@ use crate::solution::{Euler, Solution};
 
 /// A [`Solution`] in the units that people read. Each number is rounded once to the digits of `R`.
 ///
-/// In `f32` a degree of longitude beyond 128° has steps of 1.5e-5°, 1.7 m. What is carried beyond that
-/// shows in `f64`: [`Output::wide`](crate::output::Output::wide) and then `readout`.
+/// In `f32` a longitude beyond 128° has steps of 1.5e-5°, or 1.7 m. The state has more digits than that. To see
+/// them in `f64`, call [`Output::wide`](crate::output::Output::wide) before `readout`.
 ///
 /// ```
 /// use schuler::prelude::*;
@@ -69,8 +69,8 @@ fn whole<R: Real>(x: Pair<R>) -> R {
 }
 
 impl<R: core::fmt::Display> core::fmt::Display for Readout<R> {
-    /// Latitude, longitude, height; north, east, down; roll, pitch, yaw: to a centimetre, 0.1 mm/s and
-    /// 10⁻⁴ °, unless a precision is asked for, which then is that of all.
+    /// Latitude, longitude, height; north, east, down; roll, pitch, yaw. The last digits are a centimetre,
+    /// 0.1 mm/s and 10⁻⁴ °, unless the format has a precision, which then applies to all numbers.
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let digits = |usual| f.precision().unwrap_or(usual);
         let (place, height, fine) = (digits(7), digits(3), digits(4));

@@ -15,6 +15,7 @@ use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::mechanization::Mechanization;
+use schuler_simulator::rounding::split_mix;
 use schuler_simulator::scene::{
     Channel, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory, builtin,
 };
@@ -105,10 +106,7 @@ pub struct Numbers(pub u64);
 impl Numbers {
     /// Sixty-four bits.
     pub fn word(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
+        split_mix::word(&mut self.0)
     }
 
     /// Evenly within ±bound.

@@ -6,8 +6,9 @@ use schuler::link::fleet::{self, Fleet};
 use schuler::math::compensated::Pair;
 use schuler::solution::{Euler, Solution};
 use schuler::strapdown::block::window::NAMED;
-use schuler_host::frontier::case::{Arithmetic, Case, Method};
+use schuler_host::frontier::case::{Case, Method};
 use schuler_simulator::navigator;
+use schuler_simulator::navigator::compared::Arithmetic;
 use schuler_simulator::scene::{Navigator, limits};
 
 fn all<C: Catalogue>() -> Vec<Configuration> {
@@ -56,7 +57,7 @@ fn words_and_bytes_lead_back() {
 fn audits_targets_and_the_frontier_choose_from_it() {
     let every = all::<Every>();
     let audited = all::<Audited>();
-    assert_eq!(audited, schuler_host::audit::configuration::all());
+    assert_eq!(audited, schuler_simulator::navigator::stepping::all());
     for one in audited.iter().chain(&offers::<fleet::Every>()).chain(&offers::<fleet::Single>()) {
         assert!(every.contains(one), "{one}");
     }

@@ -4,6 +4,7 @@
 #![allow(clippy::excessive_precision, reason = "references with more digits than the type has")]
 
 use schuler::noise::{Deviate, Stream, Streams};
+use schuler_simulator::rounding::split_mix;
 
 /// k of the f64 deviate's 63 bits, and the deviate: Φ⁻¹ at ½ + (k + ½)/2⁶⁴.
 const DOUBLE: [(u64, f64); 24] = [
@@ -137,11 +138,8 @@ fn uniform_numbers_fill_the_interval_from_0_to_1() {
 }
 
 /// SplitMix64's output for a state (Steele, Lea & Flood 2014).
-fn mix(state: u64) -> u64 {
-    let z = state.wrapping_add(0x9e3779b97f4a7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58476d1ce4e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d049bb133111eb);
-    z ^ (z >> 31)
+fn mix(mut state: u64) -> u64 {
+    split_mix::word(&mut state)
 }
 
 /// xoshiro256++ (Blackman & Vigna 2019).

@@ -1,4 +1,14 @@
 //! What gravity and the Earth's rate are where a unit stands still.
+//!
+//! ```
+//! use schuler::alignment::place::Place;
+//! use schuler::earth::Geodetic;
+//!
+//! let pole = core::f64::consts::FRAC_PI_2;
+//! let place = Place::new(Geodetic { latitude: pole, longitude: 0.0, altitude: 0.0 });
+//! assert!((place.gravity - 9.8321849).abs() < 1e-6);
+//! assert!(place.rate_north.abs() < 1e-19);
+//! ```
 
 use crate::earth::{self, Geodetic};
 use crate::math::real::Scalar;

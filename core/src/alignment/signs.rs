@@ -2,6 +2,28 @@
 //!
 //! ω·f/|f| = ω_ie sinφ at rest: a reversed axis changes the product, and a wrong latitude changes its
 //! expected value.
+//!
+//! ```
+//! use schuler::alignment::judge::{Contradiction, judge};
+//! use schuler::alignment::place::Place;
+//! use schuler::alignment::still::Still;
+//! use schuler::alignment::units::Kind;
+//! use schuler::earth::Geodetic;
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//!
+//! // At 45° north, level and heading north, with gyros whose third axis is reversed.
+//! let place = Place::new(Geodetic { latitude: 0.7854, longitude: 0.1, altitude: 0.0 });
+//! let mut still = Still::new(1.0_f64);
+//! for _ in 0..30_000 {
+//!     let angle_b = Vector::new(place.rate_north, 0.0, place.rate_up) * 0.01;
+//!     let velocity_b = Vector::new(0.0, 0.0, -place.gravity) * 0.01;
+//!     still.add(&Increment { angle_b, velocity_b }, 0.01);
+//! }
+//! let judgement = judge(&still.readings().unwrap(), Kind::Increments, &place);
+//! let Some(Contradiction::Directions(signs)) = judgement.contradiction else { panic!() };
+//! assert_eq!(signs.axis, [false, false, true]);
+//! ```
 
 use super::place::Place;
 use crate::earth;

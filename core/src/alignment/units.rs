@@ -12,6 +12,7 @@
 //! ```
 
 use crate::math::real::Scalar;
+use crate::units::{DEGREE, DEGREE_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
 
 /// A unit of specific force; for velocity increments, the same unit times one second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,9 +54,6 @@ pub enum RateUnit {
     TurnPerMinute,
 }
 
-/// 1°, rad.
-const DEGREE: f64 = core::f64::consts::PI / 180.0;
-
 impl ForceUnit {
     /// All of them.
     pub const ALL: [Self; 6] = [
@@ -71,9 +69,9 @@ impl ForceUnit {
     pub const fn si(self) -> f64 {
         match self {
             Self::MetrePerSecondSquared => 1.0,
-            Self::G => 9.80665,
+            Self::G => STANDARD_GRAVITY,
             Self::MilliG => 9.80665e-3,
-            Self::MicroG => 9.80665e-6,
+            Self::MicroG => MICRO_G,
             Self::FootPerSecondSquared => 0.3048,
             Self::CentimetrePerSecondSquared => 0.01,
         }
@@ -101,7 +99,7 @@ impl RateUnit {
             Self::MicroradianPerSecond => 1e-6,
             Self::DegreePerSecond => DEGREE,
             Self::DegreePerMinute => DEGREE / 60.0,
-            Self::DegreePerHour => DEGREE / 3600.0,
+            Self::DegreePerHour => DEGREE_PER_HOUR,
             Self::TurnPerSecond => 360.0 * DEGREE,
             Self::TurnPerMinute => 6.0 * DEGREE,
         }

@@ -1,8 +1,17 @@
-//! The one list of navigators, from which whoever chooses one at run time has names and dispatch.
+//! The single list of navigators. Everything that chooses one at run time takes its names and its dispatch
+//! from here.
 //!
-//! A navigator is a row of [`every_frame!`](crate::every_frame) (precision, axes, frame) with a window of the
-//! table in [`window`](crate::strapdown::block::window) that the row's user has, or with the textbook's
-//! algorithm. A line more in either table is a navigator more for all of its users.
+//! A navigator combines a row of [`every_frame!`](crate::every_frame) (precision, axes, frame) with a window from
+//! the table in [`window`](crate::strapdown::block::window), or with the textbook's algorithm. A new line in
+//! either table gives a new navigator to everything that uses the table.
+//!
+//! ```
+//! use schuler::flight::catalogue::{Catalogue, Every};
+//!
+//! let mut in_single_precision = 0;
+//! Every::each(&mut |one| in_single_precision += usize::from(one.to_string().starts_with("f32 ")));
+//! assert!(in_single_precision > 20);
+//! ```
 
 use super::configuration::{Algorithm, Axes, Configuration, Precision};
 use crate::math::compensated::{Pair, TwoFloat};
@@ -20,7 +29,7 @@ use crate::strapdown::reference::textbook::{
     EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
 };
 
-/// A mechanization that can be asked for by name, started, stored and compared.
+/// A mechanization that can be requested by name, started, stored and compared.
 pub trait Entry:
     Mechanization<Real: Scalar + Record, Frame: Record, State: Record, Output: Record, Body: Record>
     + Copy
@@ -29,7 +38,7 @@ pub trait Entry:
 {
     /// Its name.
     const CONFIGURATION: Configuration;
-    /// The same with room for samples of any length.
+    /// The same mechanization for samples of any length.
     type AnyInterval: Entry<Real = Self::Real> + UnequalIntervals;
 
     /// For samples of an interval in seconds, with a series of at most this order.
@@ -44,9 +53,9 @@ pub trait NamedFrame {
     const AXES: Axes;
 }
 
-/// Calls a macro with every precision and axes, behind what it is to be given first. A row has: a name for
-/// it, its precision, axes and frame, which windows the host has in it (`all`, or a use in the table of
-/// windows) and, where there is one, the textbook in it with a name.
+/// Calls a macro with a row for every precision and axes, after the tokens given here. A row has a name, the
+/// precision, the axes, the frame, the windows that the host has in it (`all`, or a use in the table of
+/// windows) and, if there is one, the textbook in this frame with its name.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! every_frame {
@@ -118,18 +127,18 @@ where
 pub trait Visitor {
     /// Its result.
     type Result;
-    /// Does it.
+    /// Carries it out.
     fn visit<M: Entry>(self) -> Self::Result;
 }
 
-/// Navigators to choose from.
+/// A set of navigators to choose from.
 pub trait Catalogue {
-    /// Names each of them, in order.
+    /// Passes on the name of each, in order.
     fn each(name: &mut dyn FnMut(Configuration));
-    /// Does something with the one that is asked for; `None` if it is none of them.
+    /// Carries out an operation on the requested one; `None` if the set does not have it.
     fn visit<V: Visitor>(asked: &Configuration, visitor: V) -> Option<V::Result>;
 
-    /// Whether it is one of them.
+    /// Whether the set has it.
     fn has(asked: &Configuration) -> bool {
         let mut found = false;
         Self::each(&mut |one| found |= one == *asked);
@@ -137,17 +146,17 @@ pub trait Catalogue {
     }
 }
 
-/// Every navigator: what a host flies.
+/// Every navigator: the set of the host.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Every;
 
-/// Those that audits record step by step, and golden chains hold.
+/// The navigators that audits record step by step and that golden chains contain.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Audited;
 
-/// Names a mechanization, or visits it if it is the one that is asked for.
+/// Names a mechanization, or visits it if it is the requested one.
 macro_rules! consider {
     ([name $name:ident] $entry:ty) => {
         $name(<$entry as Entry>::CONFIGURATION);

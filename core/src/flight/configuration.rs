@@ -1,14 +1,25 @@
-//! What tells one navigator from another: precision, axes, algorithm and window.
+//! The configuration of a navigator: precision, axes, algorithm and window.
+//!
+//! ```
+//! use schuler::flight::configuration::{Algorithm, Axes, Configuration, Precision};
+//! use schuler::strapdown::block::shape::WindowShape;
+//!
+//! let one: Configuration = "f64 earth-fixed taylor 0,4,0".parse()?;
+//! assert_eq!((one.precision, one.axes), (Precision::F64, Axes::EarthFixed));
+//! assert_eq!((one.algorithm, one.window), (Algorithm::Taylor, WindowShape::new(0, 4, 0)));
+//! assert_eq!(Configuration::from_bytes(one.to_bytes()), Some(one));
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use crate::strapdown::block::shape::WindowShape;
 use core::fmt::{self, Display, Formatter};
 use core::str::FromStr;
 
-/// A word that is none of those accepted.
+/// A word that is not accepted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UnknownWord {
-    /// The words that are.
+    /// The accepted words.
     pub accepted: &'static [&'static str],
 }
 
@@ -35,22 +46,22 @@ macro_rules! words {
         }
 
         impl $name {
-            /// Every word that a scene or an option may give, with its meaning.
+            /// Every word that is accepted in scenes and options, with its value.
             pub const NAMES: &'static [(&'static str, Self)] = &[$(($word, Self::$variant)),+];
 
-            /// The word in scenes, options and files.
+            /// The word for it in scenes, options and files.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$variant => $word),+
                 }
             }
 
-            /// As it crosses the link.
+            /// The code for it on the link.
             pub const fn code(self) -> u8 {
                 self as u8
             }
 
-            /// Back from [`code`](Self::code).
+            /// The inverse of [`code`](Self::code).
             pub const fn from_code(code: u8) -> Option<Self> {
                 match code {
                     $($code => Some(Self::$variant),)+
@@ -83,7 +94,7 @@ words! {
         F64 = 0 "f64",
         /// Single, compensated sums: rounding matters more than truncation.
         F32 = 1 "f32",
-        /// Single, with two-float products where they count.
+        /// Single, with two-float products where they matter.
         F32x2 = 2 "f32x2",
     }
 
@@ -99,32 +110,32 @@ words! {
     Algorithm {
         /// Windows of samples, a Taylor series about the block's centre.
         Taylor = 0 "taylor",
-        /// Single plus previous sample.
+        /// One sample at a time, with corrections from the previous one.
         Textbook = 1 "textbook",
     }
 }
 
-/// What tells one navigator from another; written as `f32 local-level taylor 0,4,0`.
+/// The configuration of a navigator, written as `f32 local-level taylor 0,4,0`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Configuration {
-    /// What it computes with.
+    /// Its arithmetic.
     pub precision: Precision,
-    /// In which axes.
+    /// Its axes.
     pub axes: Axes,
-    /// How.
+    /// Its integration method.
     pub algorithm: Algorithm,
-    /// From how many samples; the textbook's is 0,1,0.
+    /// The samples that a step uses; 0,1,0 for the textbook.
     pub window: WindowShape,
 }
 
 impl Configuration {
-    /// Bytes on the link.
+    /// Its length in bytes on the link.
     pub const LENGTH: usize = 6;
     /// The textbook's window: a sample by itself.
     pub const ONE_SAMPLE: WindowShape = WindowShape::new(0, 1, 0);
 
-    /// As it crosses the link.
+    /// Its bytes on the link.
     pub fn to_bytes(&self) -> [u8; Self::LENGTH] {
         let Self { precision, axes, algorithm, window } = self;
         let WindowShape { history, block, lookahead } = *window;
@@ -132,7 +143,7 @@ impl Configuration {
         [precision.code(), axes.code(), algorithm.code(), history, block, lookahead]
     }
 
-    /// Back from [`Configuration::to_bytes`].
+    /// The inverse of [`Configuration::to_bytes`]; `None` if a code is unknown.
     pub fn from_bytes(bytes: [u8; Self::LENGTH]) -> Option<Self> {
         let [precision, axes, algorithm, window @ ..] = bytes;
         let [history, block, lookahead] = window.map(usize::from);
@@ -144,7 +155,7 @@ impl Configuration {
         })
     }
 
-    /// The window, where the algorithm has one.
+    /// The window, if the algorithm has one.
     pub fn window(&self) -> Option<WindowShape> {
         (self.algorithm == Algorithm::Taylor).then_some(self.window)
     }
@@ -158,7 +169,7 @@ impl Display for Configuration {
     }
 }
 
-/// Text that names no navigator.
+/// Text that does not name a navigator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NotAConfiguration;

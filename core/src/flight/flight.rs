@@ -1,4 +1,20 @@
-//! A mechanization with its state and the digest of all its states: what flies, wherever it does.
+//! A mechanization with its state and the digest of all its states.
+//!
+//! ```
+//! use schuler::flight::flight::Flight;
+//! use schuler::prelude::*;
+//!
+//! let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
+//! let start = Solution::new(Geodetic::default(), Vector::ZERO, level);
+//! let mut flight = Flight::new(Navigator4::<f64>::from_rate_hz(100.0)?, &start)?;
+//! let before = flight.digest();
+//! for _ in 0..4 {
+//!     flight.push(Increment::ZERO)?;
+//! }
+//! // A block is complete, and its state is in the digest.
+//! assert!(flight.integrated() == 4 && flight.digest() != before);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use super::catalogue::Entry;
 use crate::digest::Digest;
@@ -12,9 +28,9 @@ use crate::strapdown::plausible::Damaged;
 
 /// A mechanization in flight.
 ///
-/// The digest takes in the frame whenever a sample completed a block, and once more at the end: whoever
-/// flies the same samples has the same digest. What goes on from sample to sample, state and digest, is
-/// its [`Record`]; a flight that was written back is to be [checked](Flight::check) first.
+/// The digest takes in the frame whenever a sample completes a block, and once more at the end. So two flights
+/// through the same samples have the same digest. The [`Record`] of a flight has its state and its digest. A
+/// flight that was restored from a record must be [checked](Flight::check) before it is used.
 #[derive(Clone, Copy)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flight<M: Mechanization> {
@@ -56,7 +72,7 @@ impl<M: Mechanization<Frame: Record>> Flight<M> {
         step(&self.mechanization, &mut self.state, &mut self.digest, sample, push)
     }
 
-    /// The stream is at its end: what waits for samples is integrated, by a function that may read rows.
+    /// Ends the stream: integrates the pending samples by a function that may read rows.
     pub fn finish_by(&mut self, finish: impl FnOnce(&M, &mut M::State)) {
         finish(&self.mechanization, &mut self.state);
         self.digest.add(M::frame(&self.state));
@@ -67,18 +83,18 @@ impl<M: Mechanization<Frame: Record>> Flight<M> {
         self.mechanization.hold_vertical(&mut self.state, altitude, down)
     }
 
-    /// Whether what was written back over it can be a flight's: before anything else is done with it.
+    /// Checks whether a restored flight can be valid. Call it before anything else.
     pub fn check(&self) -> Result<(), Damaged> {
         self.mechanization.check(&self.state)?;
         if self.digest.is_plausible() { Ok(()) } else { Err(Damaged) }
     }
 
-    /// Mechanization and state, to be flown past the digest.
+    /// Mechanization and state, for a flight without the digest.
     pub fn parts_mut(&mut self) -> (&M, &mut M::State) {
         (&self.mechanization, &mut self.state)
     }
 
-    /// What it flies with.
+    /// The mechanization.
     pub fn mechanization(&self) -> &M {
         &self.mechanization
     }
@@ -88,7 +104,7 @@ impl<M: Mechanization<Frame: Record>> Flight<M> {
         &self.state
     }
 
-    /// Samples that lie behind the solution.
+    /// The number of samples integrated so far.
     pub fn integrated(&self) -> u64 {
         M::integrated(&self.state)
     }
@@ -104,7 +120,7 @@ impl<M: Mechanization<Frame: Record>> Flight<M> {
     }
 }
 
-/// One sample through the navigator: never inlined, so that an image has it once.
+/// Passes one sample through the navigator. It is never inlined, so that an image contains it once.
 #[inline(never)]
 fn step<M: Mechanization<Frame: Record>, E>(
     mechanization: &M,
@@ -121,7 +137,7 @@ fn step<M: Mechanization<Frame: Record>, E>(
     Ok(())
 }
 
-/// The configuration is not part of it.
+/// The configuration is not part of the record.
 impl<M: Mechanization<State: Record>> Record for Flight<M> {
     record!(state; digest);
 }

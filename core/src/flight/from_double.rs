@@ -1,4 +1,21 @@
-//! A flight that is fed in double precision, whatever it computes in.
+//! A flight that takes its samples in double precision, whatever its own precision.
+//!
+//! ```
+//! use schuler::flight::from_double::FromDouble;
+//! use schuler::math::compensated::Pair;
+//! use schuler::prelude::*;
+//!
+//! let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
+//! let start = Solution::new(Geodetic::default(), Vector::ZERO, level);
+//! let mut flown =
+//!     FromDouble::<Navigator4<f32>>::start(Pair::new(100.0).reciprocal(), 10, &start)?;
+//! let sample = Increment { angle_b: Vector::ZERO, velocity_b: Vector::new(0.0, 0.0, -0.0978) };
+//! for _ in 0..4 {
+//!     flown.push_by(&sample, &mut |navigator, state, narrowed| navigator.push(state, narrowed))?;
+//! }
+//! assert!(flown.solution().velocity_ned.z.hi.abs() < 1e-3);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use super::carried::Carried;
 use super::catalogue::Entry;
@@ -12,15 +29,15 @@ use crate::solution::Solution;
 use crate::strapdown::limits::{Rejected, StartError};
 use crate::strapdown::mechanization::Mechanization;
 
-/// A mechanization in flight: samples and initial solution come in double precision and are narrowed so
-/// that no rounding is lost.
+/// A flight whose samples and initial solution come in double precision. They are narrowed so that no rounding
+/// is lost.
 #[derive(Clone, Copy)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FromDouble<M: Mechanization> {
-    /// What flies.
+    /// The flight.
     pub flight: Flight<M>,
     carried: Carried,
-    /// What the intervals handed over lack of those taken in, s.
+    /// The sum of the intervals taken in less the sum of those handed over, s.
     interval_rest: f64,
 }
 
@@ -42,8 +59,8 @@ impl<M: Mechanization<Real: Scalar, Frame: Record>> FromDouble<M> {
         Ok(Self { flight, carried: Carried::default(), interval_rest: 0.0 })
     }
 
-    /// Takes a sample by a function: [`Mechanization::push`] or one that reads rows or blocks. A sample that
-    /// is refused leaves everything as it was.
+    /// Takes a sample by a function: [`Mechanization::push`], or one that reads rows or blocks. A refused sample
+    /// changes nothing.
     #[inline]
     pub fn push_by<F>(&mut self, sample: &Increment<f64>, push: &mut F) -> Result<(), Rejected>
     where
@@ -56,7 +73,7 @@ impl<M: Mechanization<Real: Scalar, Frame: Record>> FromDouble<M> {
         Ok(())
     }
 
-    /// Takes a sample of its own interval in seconds; the function is handed the narrowed interval too.
+    /// Takes a sample with its own interval in seconds. The function also gets the narrowed interval.
     pub fn push_over_by<F>(
         &mut self,
         sample: &Increment<f64>,
@@ -74,7 +91,7 @@ impl<M: Mechanization<Real: Scalar, Frame: Record>> FromDouble<M> {
         Ok(())
     }
 
-    /// Mechanization, state and what is carried, to be flown past the digest.
+    /// Mechanization, state and carried rounding, for a flight without the digest.
     pub fn parts_mut(&mut self) -> (&M, &mut M::State, &mut Carried) {
         let (mechanization, state) = self.flight.parts_mut();
         (mechanization, state, &mut self.carried)

@@ -8,6 +8,25 @@
 //! | [`from_double`] | the same, fed in double precision |
 //! | [`carried`] | samples narrowed so that no rounding is lost |
 //! | [`plan`] | the cheapest window for a motion |
+//!
+//! ```
+//! use schuler::flight::catalogue::{Catalogue, Entry, Every, Visitor};
+//! use schuler::flight::configuration::Configuration;
+//!
+//! /// The samples that its window has.
+//! struct Samples;
+//!
+//! impl Visitor for Samples {
+//!     type Result = usize;
+//!     fn visit<M: Entry>(self) -> usize {
+//!         M::CONFIGURATION.window.samples()
+//!     }
+//! }
+//!
+//! let asked: Configuration = "f32 local-level taylor 2,4,2".parse()?;
+//! assert_eq!(Every::visit(&asked, Samples), Some(8));
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 pub mod carried;
 #[macro_use]

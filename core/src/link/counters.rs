@@ -7,6 +7,13 @@
 //! | the number of a frame, or of a start | wraps to 0: only differences are looked at | [`Header::sequence`](super::frame::Header::sequence), `boot` |
 //! | a statistic | stays at its largest value: it never looks as if nothing had happened | everything in [`Counters`] |
 //! | the number of a sample | is refused: a sample counts once, or not at all | [`Bridge`](super::gap::Bridge)'s missing ones |
+//!
+//! ```
+//! use schuler::link::counters::Dropped;
+//!
+//! let dropped = Dropped { check: u32::MAX, short: 1, ..Dropped::default() };
+//! assert_eq!(dropped.total(), u32::MAX);
+//! ```
 
 use crate::record::{Record, record};
 

@@ -1,4 +1,20 @@
 //! Frames from a stream of bytes, any of which may be wrong, missing or surplus.
+//!
+//! ```
+//! use schuler::link::decoder::Decoder;
+//! use schuler::link::frame::{Header, MOST_ENCODED, encode};
+//! use schuler::link::kind::Kind;
+//!
+//! let mut line = [0; MOST_ENCODED];
+//! let header = Header { kind: Kind::Greet, sequence: 1, time_ns: 0 };
+//! let mut bytes = encode(&header, &mut line, |_| ())?.to_vec();
+//! // A bit that is wrong costs the frame, and nothing but it.
+//! bytes[2] ^= 2;
+//! let mut decoder = Decoder::default();
+//! assert!(bytes.iter().all(|&byte| decoder.take(byte).is_none()));
+//! assert_eq!(decoder.dropped().total(), 1);
+//! # Ok::<(), schuler::link::frame::TooLong>(())
+//! ```
 
 use super::bytes::Bytes;
 use super::counters::{Dropped, count};

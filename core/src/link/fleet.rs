@@ -2,6 +2,16 @@
 //!
 //! Only the mechanizations that an image names here are linked into it: [`Single`] has no double-precision
 //! operation.
+//!
+//! ```
+//! use schuler::link::fleet::{Fleet, Single};
+//!
+//! // What a target without double precision offers its host.
+//! let mut offers = Vec::new();
+//! Single::offers(&mut |one| offers.push(one.to_string()));
+//! assert!(offers.contains(&"f32 local-level taylor 0,4,0".to_string()));
+//! assert!(offers.iter().all(|one| !one.starts_with("f64")));
+//! ```
 
 use super::bytes::Bytes;
 use super::flight::{LinkedFlight, Taken};

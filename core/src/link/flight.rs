@@ -1,6 +1,24 @@
 //! One mechanization in flight at the end of a link: bridging, navigation, digest.
 //!
 //! Target and host fly the same code, so that the same samples leave the same bits.
+//!
+//! ```
+//! use schuler::link::flight::{LinkedFlight, Taken};
+//! use schuler::link::gap::Policy;
+//! use schuler::prelude::*;
+//!
+//! let level = Euler { roll: 0.0, pitch: 0.0, yaw: 0.0 };
+//! let start = Solution::new(Geodetic::default(), Vector::ZERO, level);
+//! let navigator = Navigator4::<f64>::from_rate_hz(100.0)?;
+//! let mut flight = LinkedFlight::new(navigator, start, Policy::Bridge)?;
+//! let push = Navigator4::<f64>::push;
+//! assert_eq!(flight.take(1, Increment::ZERO, push), Ok(Taken::Flown));
+//! assert_eq!(flight.take(1, Increment::ZERO, push), Ok(Taken::Again));
+//! // The second sample never came.
+//! assert_eq!(flight.take(3, Increment::ZERO, push), Ok(Taken::Flown));
+//! assert_eq!((flight.taken(), flight.came(), flight.bridged()), (3, 0b101, 1));
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 use super::frame::Writer;
 use super::gap::{Bridge, MOST_BRIDGED, Policy};
@@ -82,16 +100,15 @@ impl<M: Entry> LinkedFlight<M> {
         if self.finished != 0 {
             return Err(Refusal::Finished);
         }
-        let missing = self.missing_before(number)?;
+        let missing = self.missing_up_to(number.saturating_sub(1))?;
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, Some(sample), push);
         if flown.is_err() {
             (self.flight, self.bridge) = before;
             return flown.map(|()| Taken::Flown);
         }
-        self.count(missing);
         self.taken = number;
-        self.came = self.came << 1 | 1;
+        self.came = self.came.unbounded_shl(missing) << 1 | 1;
         Ok(Taken::Flown)
     }
 
@@ -109,29 +126,25 @@ impl<M: Entry> LinkedFlight<M> {
         if samples < self.taken {
             return Err(Refusal::Count);
         }
-        let missing = self.missing_before(samples.saturating_add(1))?;
+        let missing = self.missing_up_to(samples)?;
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, None, push);
         if flown.is_err() {
             (self.flight, self.bridge) = before;
             return flown.map(|()| Taken::Flown);
         }
-        self.count(missing);
+        // Samples that were missing are numbered as if they had been there.
+        self.taken = samples;
+        self.came = self.came.unbounded_shl(missing);
         self.flight.finish_by(finish);
         self.finished = 1;
         Ok(Taken::Flown)
     }
 
-    /// How many samples are missing before one.
-    fn missing_before(&self, number: u32) -> Result<u32, Refusal> {
-        let missing = number.saturating_sub(self.taken).saturating_sub(1);
+    /// How many samples are missing after the last one taken, up to a number.
+    fn missing_up_to(&self, number: u32) -> Result<u32, Refusal> {
+        let missing = number.saturating_sub(self.taken);
         if missing > MOST_BRIDGED { Err(Refusal::Gap) } else { Ok(missing) }
-    }
-
-    /// Samples that were missing are numbered as if they had been there.
-    fn count(&mut self, missing: u32) {
-        self.taken = self.taken.saturating_add(missing);
-        self.came = self.came.unbounded_shl(missing);
     }
 
     /// Flies a sample after those that are missing before it; none ends the stream.

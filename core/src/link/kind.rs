@@ -1,4 +1,12 @@
 //! What a frame is for.
+//!
+//! ```
+//! use schuler::link::kind::Kind;
+//!
+//! assert_eq!(Kind::Sample.code(), 0x04);
+//! assert_eq!(Kind::from_code(0x04), Some(Kind::Sample));
+//! assert_eq!(Kind::from_code(0x7f), None);
+//! ```
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident = $code:literal,)+) => {

@@ -3,6 +3,26 @@
 //! Numbers whose type depends on the navigator's precision stay bytes here; the navigator reads them as
 //! scalars. An answer says which frame it answers, how often the target was switched on, and which errors it
 //! noticed on the link.
+//!
+//! ```
+//! use schuler::link::decoder::Decoder;
+//! use schuler::link::frame::{Header, MOST_ENCODED, encode};
+//! use schuler::link::message::Request;
+//!
+//! let request = Request::Finish { samples: 36_000 };
+//! let header = Header { kind: request.kind(), sequence: 1, time_ns: 0 };
+//! let mut line = [0; MOST_ENCODED];
+//! let mut decoder = Decoder::default();
+//! let mut read = 0;
+//! for &byte in encode(&header, &mut line, |payload| request.write(payload))? {
+//!     if let Some(frame) = decoder.take(byte) {
+//!         assert_eq!(Request::read(&frame), Some(request));
+//!         read += 1;
+//!     }
+//! }
+//! assert_eq!(read, 1);
+//! # Ok::<(), schuler::link::frame::TooLong>(())
+//! ```
 
 use super::bytes::Bytes;
 use super::counters::Counters;

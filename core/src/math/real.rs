@@ -152,6 +152,33 @@ macro_rules! wrapped_constants {
     };
 }
 
+/// The comparisons of a [`Real`] that is one number.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! one_number {
+    () => {
+        type Mask = bool;
+
+        #[inline(always)]
+        fn less(self, other: Self) -> bool {
+            self < other
+        }
+        #[inline(always)]
+        fn select(mask: bool, yes: Self, no: Self) -> Self {
+            if mask { yes } else { no }
+        }
+        #[inline(always)]
+        fn any(mask: bool) -> bool {
+            mask
+        }
+    };
+}
+
+/// The type of masks and the comparisons of a [`Real`] that is a single number: `one_number!()` within the
+/// implementation.
+#[doc(inline)]
+pub use one_number;
+
 /// The constants of a [`Real`] that is made of another one: `wrapped_constants!(f32, Self)` within the
 /// implementation, with the type inside and the constant function or constructor that wraps it.
 #[doc(inline)]

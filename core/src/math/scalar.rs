@@ -5,6 +5,7 @@
 
 use super::real::{Real, Scalar};
 use super::twin::{DoubleTwin, SingleTwin};
+use crate::one_number;
 
 #[cfg(feature = "std")]
 extern crate std;
@@ -25,7 +26,7 @@ macro_rules! scalar {
     ($t:ident, $mask:expr, $sin_cos:path, $atan2:path, $expm1:path, $ln:path, $rint:path, $sqrt:path,
      $residual:expr, $entry:expr, $twin:ty) => {
         impl Real for $t {
-            type Mask = bool;
+            one_number!();
             type Twin = $twin;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -91,18 +92,6 @@ macro_rules! scalar {
             #[inline(always)]
             fn upper_half(self) -> Self {
                 $t::from_bits($t::to_bits(self) & $mask)
-            }
-            #[inline(always)]
-            fn less(self, other: Self) -> bool {
-                self < other
-            }
-            #[inline(always)]
-            fn select(mask: bool, yes: Self, no: Self) -> Self {
-                if mask { yes } else { no }
-            }
-            #[inline(always)]
-            fn any(mask: bool) -> bool {
-                mask
             }
             #[inline(always)]
             fn is_within(self, bound: Self) -> bool {

@@ -79,7 +79,7 @@ impl<const N: usize> Series<N> {
     }
 
     /// x^(−½); the value must be positive.
-    #[inline]
+    #[inline(always)]
     pub fn reciprocal_root(self) -> Self {
         let mut root = Self::ZERO;
         for n in 0..N {
@@ -89,7 +89,7 @@ impl<const N: usize> Series<N> {
     }
 
     /// Coefficient `n` of x^(−½) from those before it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn root_term(&self, root: &Self, n: usize) -> f64 {
         // k = g^p:  g k' = p g' k,  k_n = Σ_{j=1..n} (p j − (n − j)) g_j k_{n−j}/(n g₀),  p = −½
         let value = self.value();
@@ -101,7 +101,9 @@ impl<const N: usize> Series<N> {
             let weight = -0.5 * j as f64 - (n - j) as f64;
             sum += weight * self.coefficient(j) * root.coefficient(n - j);
         }
-        sum / (n as f64 * value)
+        // 1/g₀ = k₀²
+        let first = root.value();
+        sum * (first * first) * (1.0 / n as f64)
     }
 
     /// Coefficient `n` of a product.
@@ -152,6 +154,7 @@ impl<const N: usize> Series<N> {
     }
 
     /// The derivative; its last coefficient is not known and 0.
+    #[inline(always)]
     pub fn derivative(self) -> Self {
         Self(core::array::from_fn(|n| (n + 1) as f64 * self.coefficient(n + 1)))
     }
@@ -220,6 +223,13 @@ impl<const N: usize> Mul for Series<N> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
-        Self(core::array::from_fn(|n| self.product_term(&b, n)))
+        // (a b)_n = Σ_{i=0..n} a_i b_{n−i}
+        let mut product = Self::ZERO;
+        for (i, a) in self.0.iter().enumerate() {
+            for (place, b) in product.0.iter_mut().skip(i).zip(b.0) {
+                *place += a * b;
+            }
+        }
+        product
     }
 }

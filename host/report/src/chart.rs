@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::canvas::{Anchor, Canvas, Ink, Lettering, Point, Stroke};
 use crate::decimate::by_column;
+use crate::grid::{Frame, Grid, SMALL};
 
 /// A curve's points, right and up in the axes' units.
 #[derive(Clone, Debug)]
@@ -58,24 +59,10 @@ pub struct Chart {
     pub marks: Vec<Mark>,
 }
 
-/// A rectangle of a canvas.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
-    /// Left edge.
-    pub left: f32,
-    /// Upper edge.
-    pub top: f32,
-    /// To the right.
-    pub width: f32,
-    /// Downward.
-    pub height: f32,
-}
-
 const MARGIN_LEFT: f32 = 50.0;
 const MARGIN_RIGHT: f32 = 14.0;
 const MARGIN_TOP: f32 = 26.0;
 const MARGIN_BOTTOM: f32 = 36.0;
-const SMALL: f32 = 11.0;
 /// The width of a digit in that size, about.
 const DIGIT: f32 = 6.4;
 
@@ -120,7 +107,15 @@ impl Chart {
                 inner.top + inner.height * (1.0 - self.y.fraction(y) as f32),
             ]
         };
-        self.draw_axes(canvas, frame, &place);
+        let xs = self.x.ticks((inner.width / 60.0) as usize).into_iter();
+        let ys = self.y_ticks(inner.height).into_iter();
+        let grid = Grid {
+            title: &self.title,
+            x_label: &self.x.label,
+            x: xs.map(|(value, label)| (place([value, self.y.from])[0], label)).collect(),
+            y: ys.map(|(value, label)| (place([self.x.from, value])[1], label)).collect(),
+        };
+        grid.draw(canvas, inner);
         for band in &self.bands {
             let edge = |side: usize| by_column(band.edges.iter().map(|e| place([e[0], e[side]])));
             let mut outline = edge(1);
@@ -141,35 +136,6 @@ impl Chart {
             let lettering = Lettering { size: SMALL, bold: false, anchor };
             canvas.text([x, y + drop], &mark.name, Ink::Text, lettering);
         }
-    }
-
-    fn draw_axes(
-        &self,
-        canvas: &mut impl Canvas,
-        frame: Frame,
-        place: &impl Fn([f64; 2]) -> Point,
-    ) {
-        let inner = self.inner(frame);
-        let (right, bottom) = (inner.left + inner.width, inner.top + inner.height);
-        let label = |anchor| Lettering { size: SMALL, bold: false, anchor };
-        let hairline = Stroke::solid(1.0);
-        for (value, text) in self.x.ticks((inner.width / 60.0) as usize) {
-            let x = place([value, self.y.from])[0];
-            canvas.line("", &[[x, inner.top], [x, bottom]], Ink::Grid, hairline);
-            canvas.text([x, bottom + 14.0], &text, Ink::Muted, label(Anchor::Middle));
-        }
-        for (value, text) in self.y_ticks(inner.height) {
-            let y = place([self.x.from, value])[1];
-            let ink = if value == 0.0 { Ink::Muted } else { Ink::Grid };
-            canvas.line("", &[[inner.left, y], [right, y]], ink, hairline);
-            canvas.text([inner.left - 6.0, y + 4.0], &text, Ink::Muted, label(Anchor::End));
-        }
-        let corner = [[inner.left, inner.top], [inner.left, bottom], [right, bottom]];
-        canvas.line("", &corner, Ink::Muted, hairline);
-        let middle = inner.left + inner.width / 2.0;
-        canvas.text([middle, bottom + 29.0], &self.x.label, Ink::Muted, label(Anchor::Middle));
-        let heading = Lettering { size: 13.0, bold: true, anchor: Anchor::Start };
-        canvas.text([inner.left, inner.top - 9.0], &self.title, Ink::Text, heading);
     }
 }
 

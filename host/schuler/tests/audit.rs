@@ -2,9 +2,9 @@
 
 use schuler_host::audit::chain::Chain;
 use schuler_host::audit::compare::compare;
-use schuler_host::audit::configuration::all;
 use schuler_host::audit::record::{Cadence, record};
 use schuler_host::audit::{functions, golden, sensitivity};
+use schuler_simulator::navigator::stepping::all;
 use schuler_simulator::scene::{Precision, builtin};
 use std::path::Path;
 use std::process::{Command, Output};

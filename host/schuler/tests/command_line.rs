@@ -2,8 +2,8 @@
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
-use schuler_host::cli::{Cli, Command, EmulateArgs, ReplayArgs, RunArgs};
-use schuler_simulator::scene::{Algorithm, Axes, Precision, WindowShape};
+use schuler_host::cli::{Cli, Command, EmulateArgs, Height, Lag, ReplayArgs, RunArgs};
+use schuler_simulator::scene::{Algorithm, Axes, Gap, Precision, Vertical, WindowShape};
 use std::path::Path;
 
 fn parse(line: &str) -> Result<Command, clap::Error> {
@@ -110,6 +110,38 @@ fn emulate_and_replay_take_what_they_need() {
 }
 
 #[test]
+fn the_vertical_and_gaps_are_options() {
+    let navigator = |line: &str| run(line).scene().unwrap_or_else(|e| panic!("{e}")).navigator;
+    let held = navigator("run paper --vertical held --gap bridge");
+    assert_eq!((held.vertical, held.gap), (Vertical::Held, Gap::Bridge));
+    let own = navigator("run sea-state");
+    assert_eq!((own.vertical, own.gap), (Vertical::Held, Gap::Error));
+    assert_eq!(navigator("run sea-state --vertical free").vertical, Vertical::Free);
+    let Ok(Command::Ensemble(many)) = parse("ensemble --vertical held") else {
+        panic!("not ensemble")
+    };
+    assert_eq!(many.scene().unwrap_or_else(|e| panic!("{e}")).navigator.vertical, Vertical::Held);
+    let Ok(Command::Hil(hil)) = parse("hil --vertical held --gap bridge --rows") else {
+        panic!("not hil")
+    };
+    assert!(hil.wanted().rows && hil.handling == run("--vertical held --gap bridge").handling);
+
+    let plain = replay("replay --imu i --out n");
+    assert_eq!((plain.vertical(), plain.height.clone()), (Vertical::Free, None));
+    assert_eq!(plain.lag, Lag::Seconds(0.0));
+    let height = |text: &str| {
+        let replay = replay(&format!("replay --imu i --out n --height {text}"));
+        assert_eq!(replay.vertical(), Vertical::Held);
+        replay.height.expect("it is given")
+    };
+    assert_eq!(height("-12.5"), Height::Metres(-12.5));
+    assert_eq!(height("truth.csv"), Height::File("truth.csv".into()));
+    let reference = "replay --imu i --out n --reference r";
+    assert_eq!(replay(&format!("{reference} --lag auto")).lag, Lag::Auto);
+    assert_eq!(replay(&format!("{reference} --lag -0.5")).lag, Lag::Seconds(-0.5));
+}
+
+#[test]
 fn stress_takes_a_part_of_a_name() {
     let Ok(Command::Stress(arguments)) = parse("stress --full --case coning --out o") else {
         panic!("not stress")
@@ -140,6 +172,11 @@ fn usage_errors_name_the_option_and_exit_with_2() {
         ("replay --imu i --out n --align 0", ["--align", "above 0"]),
         ("replay --imu i --out n --align 9 --heading 361", ["--heading", "from -360 to 360"]),
         ("replay --imu i --out n --heading 3", ["--align", "required"]),
+        ("run --vertical high", ["--vertical", "free, held"]),
+        ("run --gap jump", ["--gap", "error, bridge"]),
+        ("ensemble --gap bridge", ["--gap", "unexpected"]),
+        ("replay --imu i --out n --lag 1", ["--reference", "required"]),
+        ("replay --imu i --out n --reference r --lag soon", ["--lag", "seconds, or auto"]),
         ("replay --imu i --out n --units furlong", ["--units", "m/s2 g mg"]),
         ("replay --imu i --out n --units g,mg", ["--units", "contradicts a word before"]),
         ("run --wobble", ["--wobble", "unexpected"]),

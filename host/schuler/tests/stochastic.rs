@@ -1,7 +1,7 @@
 //! The scalar that rounds at random: its mean is exact, and its draws differ.
 
 use schuler::math::real::Real;
-use schuler_host::stress::stochastic::{Stochastic, seed};
+use schuler_simulator::rounding::stochastic::{Stochastic, seed};
 
 type Double = Stochastic<f64>;
 const DRAWS: u32 = 200_000;

@@ -1,12 +1,11 @@
 //! The error of the series of normal gravity at the heights of a flight.
 
+use crate::units::MICRO_G;
 use schuler::earth::closed_form::neglected_ned;
 use serde::Serialize;
 
 /// Height above or below the ellipsoid, m, beyond which it is said.
 const SAID_ABOVE_M: f64 = 20_000.0;
-/// m/s² in a µg.
-const MICRO_G: f64 = 9.80665e-6;
 
 /// The place farthest from the ellipsoid so far, and what gravity lacks there.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -8,6 +8,7 @@
 //! | [`scene`] | what flies, what the sensors get wrong, how it is navigated |
 //! | [`course`], [`source`], [`emulator`] | motion, truth, perfect increments, sensors |
 //! | [`navigator`], [`lanes`], [`ensemble`], [`twin`] | the core's navigators: one, many abreast, a target's copy |
+//! | [`rounding`] | flights that round at random |
 //! | [`plan`], [`lively`], [`timing`] | the window for a scene, and what a stage costs |
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
@@ -31,10 +32,12 @@ pub mod portrait;
 pub mod progress;
 pub mod recording;
 pub mod rest;
+pub mod rounding;
 pub mod scene;
 pub mod simulate;
 pub mod source;
 pub mod theory;
 pub mod timing;
 pub mod twin;
-pub mod units;
+
+pub use schuler::units;

@@ -1,7 +1,19 @@
 //! The core's navigators behind one interface: frame, precision, algorithm and window are chosen at run time.
+//! Whoever flies one calls a function that is compiled here, once for all.
+//!
+//! | file | what it has |
+//! |---|---|
+//! | `available` | which algorithms, precisions, frames and windows go together |
+//! | `flying` | a mechanization in flight |
+//! | [`compared`] | arithmetics that are there to be compared with |
+//! | [`rates`] | Runge-Kutta on instantaneous rates |
+//! | [`stepping`] | step by step, for audits |
 
 mod available;
+pub mod compared;
 mod flying;
+pub mod rates;
+pub mod stepping;
 
 pub use available::{Unavailable, check, terms, unknown, windows};
 pub use flying::{finish, push};
@@ -15,16 +27,9 @@ use crate::scene::{Navigator, WindowShape};
 use schuler::flight::catalogue::{Catalogue, Entry, Every, Visitor};
 use schuler::flight::configuration::{Algorithm, Configuration};
 use schuler::math::compensated::Pair;
-use schuler::math::real::Scalar;
-use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::block::unequal::Unequal;
-use schuler::strapdown::block::window::*;
-use schuler::strapdown::frame::Frame;
 use schuler::strapdown::limits::Rejected;
-use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::reference::textbook::{Textbook, TextbookFrame};
 
 /// Who reads rows: how many samples lie behind the row, and the navigation there.
 pub type Reader<'a> = dyn FnMut(u64, &Solution<f64>) + 'a;
@@ -103,41 +108,4 @@ impl Visitor for Start<'_> {
         let mechanization = M::AnyInterval::configured(interval_s, self.order)?;
         Ok(Flying::boxed(mechanization, interval_s, self.initial)?)
     }
-}
-
-/// The same in arithmetics that are there to be compared with.
-macro_rules! compared {
-    ($($window:ident),+) => {
-        /// The windows of [`taylor_compared`].
-        pub const COMPARED: &[WindowShape] = &[$($window::SHAPE),+];
-
-        /// A taylor navigator in a frame whose arithmetic is there to be compared with.
-        pub fn taylor_compared<F>(
-            shape: WindowShape,
-            order: usize,
-            interval_s: Pair<F::Real>,
-            initial: &Solution<f64>,
-        ) -> Result<Box<dyn Navigate>, Unavailable>
-        where
-            F: Frame<Real: Scalar + Send> + Record + Send + 'static,
-        {
-            $(if shape == $window::SHAPE {
-                let strapdown = Strapdown::<F, Unequal<$window>>::new(interval_s)?.with_order(order);
-                return Ok(Flying::boxed(strapdown, interval_s, initial)?);
-            })+
-            Err(Unavailable::Window { shape, of: "the comparison", accepted: COMPARED.into() })
-        }
-    };
-}
-schuler::windows_of! { compared compared! }
-
-/// A textbook navigator in a frame.
-pub fn textbook<F>(
-    interval_s: F::Real,
-    initial: &Solution<f64>,
-) -> Result<Box<dyn Navigate>, Unavailable>
-where
-    F: TextbookFrame<Real: Scalar + Send> + Record + Send + 'static,
-{
-    Ok(Flying::boxed(Textbook::<F>::new(interval_s)?, Pair::new(interval_s), initial)?)
 }

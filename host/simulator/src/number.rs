@@ -97,6 +97,11 @@ pub fn short(value: f64) -> String {
     rounded(value, 4)
 }
 
+/// The digits that bring back its bits: for files.
+pub fn exact(value: f64) -> String {
+    zmij::Buffer::new().format(value).to_owned()
+}
+
 /// Six significant digits without the zeros that end them: for parameters.
 pub fn parameter(value: f64) -> String {
     let magnitude = value.abs();

@@ -5,7 +5,7 @@
 //! | `file` | an output file, and several that belong together |
 //! | `aside` | the file before it has its name |
 //! | `way` | the folders of its path |
-//! | `table` | a CSV file of numbers |
+//! | `table` | CSV files |
 //! | `stop` | what is removed when the program is told to stop |
 
 mod aside;
@@ -15,7 +15,7 @@ mod table;
 mod way;
 
 pub use file::{OutputFile, place};
-pub use table::NumberTable;
+pub use table::{NumberTable, csv};
 
 use crate::input::{Complaint, InputError};
 use std::io::{self, Write};

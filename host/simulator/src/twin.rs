@@ -1,5 +1,7 @@
 //! The host's twin of the target: the same code, fed with the same bytes.
 
+pub mod application;
+
 use crate::navigator::{self, Reader};
 use schuler::flight::carried::Carried;
 use schuler::flight::catalogue::Entry;
@@ -105,6 +107,11 @@ impl Twin {
         self.flight.visit(Take(number, Bytes(increment), read))
     }
 
+    /// Takes a sample; no row is read.
+    pub fn take_unread(&mut self, number: u32, increment: &[u8]) -> Result<Taken, Refusal> {
+        self.flight.take(number, Bytes(increment))
+    }
+
     /// Ends the stream after so many samples, and reads the rows that are left.
     pub fn finish(&mut self, samples: u32, read: &mut Reader) -> Result<Taken, Refusal> {
         self.flight.visit(Finish(samples, read))
@@ -131,6 +138,14 @@ impl Twin {
         let mut words = Vec::new();
         self.flight.words(&mut |bits| words.extend_from_slice(&bits.to_le_bytes()));
         words
+    }
+
+    /// Writes [`words`](Self::words) over its state; refuses what cannot be one.
+    pub fn restore(&mut self, words: &[u8]) -> Result<(), Refusal> {
+        let (words, _) = words.as_chunks();
+        let mut words = words.iter().map(|&bytes| u64::from_le_bytes(bytes));
+        self.flight.restore(&mut |_| words.next().unwrap_or_default());
+        self.flight.check()
     }
 
     /// Samples that were filled in.

@@ -1,32 +1,11 @@
 //! The units of scene files, in radians, metres and seconds.
 
-use core::f64::consts::PI;
 use schuler::math::vector::Vector;
 
-/// 1°, rad.
-pub const DEGREE: f64 = PI / 180.0;
+pub use schuler::units::*;
+
 /// 1 m.
 pub const METRE: f64 = 1.0;
-/// 1″, rad.
-pub const ARCSECOND: f64 = DEGREE / 3600.0;
-/// 1 °/h, rad/s.
-pub const DEGREE_PER_HOUR: f64 = DEGREE / 3600.0;
-/// 1 °/√h, rad/√s.
-pub const DEGREE_PER_ROOT_HOUR: f64 = DEGREE / 60.0;
-/// 1 °/h/√h, rad/s/√s.
-pub const DEGREE_PER_HOUR_PER_ROOT_HOUR: f64 = DEGREE_PER_HOUR / 60.0;
-/// 1 g, m/s².
-pub const STANDARD_GRAVITY: f64 = 9.80665;
-/// 1 µg, m/s².
-pub const MICRO_G: f64 = 9.80665e-6;
-/// 1 µg/√h, m/s²/√s.
-pub const MICRO_G_PER_ROOT_HOUR: f64 = MICRO_G / 60.0;
-/// 1 m/s/√h, m/s/√s.
-pub const METRE_PER_SECOND_PER_ROOT_HOUR: f64 = 1.0 / 60.0;
-/// 1 ppm.
-pub const PART_PER_MILLION: f64 = 1e-6;
-/// 1 °/h/g, rad/s per m/s².
-pub const DEGREE_PER_HOUR_PER_G: f64 = DEGREE_PER_HOUR / STANDARD_GRAVITY;
 
 /// A value for each axis.
 pub fn axes(x: f64, y: f64, z: f64, unit: f64) -> Vector<f64> {

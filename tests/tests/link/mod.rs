@@ -3,5 +3,6 @@
 mod application;
 mod damaged;
 mod framing;
+mod last_number;
 mod line;
 mod session;

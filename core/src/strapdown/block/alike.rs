@@ -23,6 +23,19 @@
 //!
 //! S_i a linear function of all sums, D_i of all differences. In smooth motion the correction is of the order of
 //! the fit's own error, which it reduces.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::alike::{Weights, lacking, weights_f32, weights_f64};
+//!
+//! const SINGLE: &Weights<f32, 6> = &weights_f32();
+//! const DOUBLE: &Weights<f64, 6> = &weights_f64();
+//! // A polynomial fits a steady rotation exactly: the blocks lack nothing.
+//! let steady = Increment { angle_b: Vector::new(0.01, 0.02, 0.0), velocity_b: Vector::ZERO };
+//! let lacking = lacking::<f64, 12, 6>(&[steady; 12], SINGLE, DOUBLE);
+//! assert!(lacking.angle_b.norm() < 1e-18);
+//! ```
 
 use super::fit::{each, rounded};
 use crate::math::real::Real;

@@ -4,6 +4,20 @@
 //! samples is w(σ) = Σ_m ∇ᵐx₀ T_m(σ), T_m = d/dσ [t(t + 1)…(t + m)/(m + 1)!], m < P. Every P from B up to
 //! the window's own is a candidate; the one whose estimated error is least (see `support`) is taken, for
 //! gyros and accelerometers separately, by leaving out the differences beyond it.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::behind::{SEEN, behind, table_f32, table_f64, weights};
+//!
+//! // Noise alone does not support a longer window than the block of two itself.
+//! let mut samples = [Increment::<f64>::ZERO; SEEN];
+//! for (n, sample) in samples.iter_mut().enumerate() {
+//!     sample.angle_b = Vector::new(if n % 2 == 0 { 1e-6 } else { -1e-6 }, 0.0, 0.0);
+//! }
+//! let (_, used) = behind::<f64, 4>(&samples, 2, &table_f32(2), &table_f64(2), &weights(2));
+//! assert_eq!(used.gyro, 2.0);
+//! ```
 
 use super::fit::{Fit, each, narrowed, rounded};
 use super::gain::by_history;

@@ -1,4 +1,16 @@
 //! The intervals of the samples in a window: not stored, or stored one by one.
+//!
+//! ```
+//! use schuler::math::compensated::Pair;
+//! use schuler::strapdown::block::intervals::{Intervals, Kept};
+//!
+//! // A third of a millisecond is no binary fraction: what is rounded off is carried to the next sample.
+//! let third = Pair::new(1e-3_f64) * Pair::new(3.0).reciprocal();
+//! let mut kept = Kept::<f64, [f64; 4]>::nominal();
+//! let first = kept.rounded(third);
+//! assert_eq!(first, third.hi);
+//! assert_eq!(kept.excess(), [0.0; 4]);
+//! ```
 
 use crate::math::compensated::Pair;
 use crate::math::real::Real;

@@ -3,6 +3,25 @@
 //! Each coefficient follows from products of the coefficients before it with the fitted rates. Up to order 3
 //! the products are written out, so that no coefficient is in memory. Higher orders use a loop, except for the
 //! windows of fast motion where long code is no disadvantage.
+//!
+//! ```
+//! use schuler::math::vector::Vector;
+//! use schuler::sample::Increment;
+//! use schuler::strapdown::block::body::{Sum, integrate};
+//! use schuler::strapdown::block::fit::Fit;
+//! use schuler::strapdown::block::series::Series;
+//!
+//! // A steady rate of 0.2 rad per block: higher orders of the series add less and less.
+//! let sample = Increment { angle_b: Vector::new(0.05, 0.0, 0.0), velocity_b: Vector::ZERO };
+//! let samples = [sample; 4];
+//! let (fit, _) = Fit::<f64, 4>::from_any(&samples, 0, 4);
+//! let sine = |order| {
+//!     let (body, _): (_, Series<f64, 11>) = integrate(&fit, &Sum::plain(&samples), 0.02, order);
+//!     body.rotation.v.x
+//! };
+//! assert!((sine(3) - 0.1_f64.sin()).abs() < 1e-7);
+//! assert!((sine(10) - 0.1_f64.sin()).abs() < 1e-16);
+//! ```
 
 use super::fit::Fit;
 use crate::math::quaternion::Quaternion;

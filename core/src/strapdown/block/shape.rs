@@ -1,4 +1,13 @@
 //! A window's shape: how many samples before, in and after a block it has.
+//!
+//! ```
+//! use schuler::strapdown::block::shape::WindowShape;
+//!
+//! let shape: WindowShape = "2,4,2".parse()?;
+//! assert_eq!(shape, WindowShape::new(2, 4, 2));
+//! assert_eq!((shape.samples(), shape.to_string().as_str()), (8, "2,4,2"));
+//! # Ok::<(), schuler::strapdown::block::shape::NotAShape>(())
+//! ```
 
 use core::fmt::{self, Display, Formatter};
 use core::str::FromStr;

@@ -1,6 +1,6 @@
-//! What a correction adds to a state in Earth-fixed axes, anywhere on the Earth.
+//! The increments of an Earth-fixed state from a correction, anywhere on the Earth.
 //!
-//! Heights and axes of the two places are found to twice the digits, so that their differences keep the
+//! Heights and axes of the two places are computed to twice the digits, so that their differences have the full
 //! digits of `R`.
 
 use super::{Correction, turn};
@@ -12,15 +12,15 @@ use crate::math::vector::Vector;
 use crate::strapdown::frame::earth_fixed::root;
 use crate::strapdown::frame::gravitation::Latitude;
 
-/// What a correction adds to a state in Earth-fixed axes.
+/// The increments of an Earth-fixed state from a correction.
 pub(crate) struct EarthFixedChange<R> {
     /// The latitude at the corrected position.
     pub latitude: Latitude<R>,
-    /// To the position, m.
+    /// Of the position, m.
     pub position: Vector<Pair<R>>,
-    /// To the velocity relative to the Earth, m/s.
+    /// Of the velocity relative to the Earth, m/s.
     pub velocity: Vector<R>,
-    /// To the attitude: to be multiplied from the left, less one.
+    /// Of the attitude: a factor from the left, less one.
     pub attitude: Quaternion<R>,
 }
 
@@ -66,7 +66,8 @@ impl<R: Real> Place<R> {
         Self { latitude: [s, c], axes: [north, east, down], altitude }
     }
 
-    /// The turn from these axes to those of another place, or beyond 84° from this vertical to that one.
+    /// The rotation from these axes to those of another place. Beyond 84° it is the rotation from this vertical
+    /// to the other one.
     fn turn_to(&self, other: &Self) -> Quaternion<R> {
         let ([n, e, d], [n1, e1, d1]) = (self.axes, other.axes);
         let [along_n, along_e, along_d] = [n.dot(n1), e.dot(e1), d.dot(d1)].map(|x| x.hi);

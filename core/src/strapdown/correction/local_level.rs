@@ -1,5 +1,5 @@
-//! What a correction adds to a state in local-level axes: increments alone, so that single precision
-//! loses nothing.
+//! The increments of a local-level state from a correction. Only increments are computed, so that single
+//! precision loses nothing.
 
 use super::{Correction, turn};
 use crate::math::quaternion::Quaternion;
@@ -8,17 +8,17 @@ use crate::math::vector::Vector;
 use crate::strapdown::frame::meridian::{Meridian, PlaceChange};
 use crate::strapdown::limits::Rejected;
 
-/// How many times as far from the Earth's axis as the correction is long the place must be: the series of
-/// the longitude is cut short.
+/// The least distance of the place from the Earth's axis, in units of the correction's length. It bounds the
+/// error of the truncated series of the longitude.
 const LEAST_DISTANCE: f64 = 64.0;
 
-/// What a correction adds to a state in local-level axes.
+/// The increments of a local-level state from a correction.
 pub(crate) struct LocalLevelChange<R> {
-    /// To the place.
+    /// Of the place.
     pub place: PlaceChange<R>,
-    /// To the velocity, m/s.
+    /// Of the velocity, m/s.
     pub velocity: Vector<R>,
-    /// To the attitude: to be multiplied from the left, less one.
+    /// Of the attitude: a factor from the left, less one.
     pub attitude: Quaternion<R>,
 }
 

@@ -1,17 +1,17 @@
-//! Corrections of a running state: how a filter, a fix or an operator moves it.
+//! Corrections of a running state, by a filter, a position fix or an operator.
 //!
 //! | file | what it has |
 //! |---|---|
-//! | this one | [`Correction`], and what is accepted of one |
-//! | `local_level` | what it adds to a state in local-level axes, by the series of the step |
-//! | `earth_fixed` | what it adds to a state in Earth-fixed axes, by two-float geometry |
-//! | `turn` | rotations that are kept less one |
+//! | this file | [`Correction`] and its limits |
+//! | `local_level` | the increments of a local-level state, by the series of the step |
+//! | `earth_fixed` | the increments of an Earth-fixed state, by two-float geometry |
+//! | `turn` | rotations that are stored less one |
 //!
-//! A correction goes to the state at the end of the last block, the one that
-//! [`output`](crate::strapdown::mechanization::Mechanization::output) shows, and through the same
-//! compensated sums as a step. Samples that wait for the next block are integrated from the corrected
-//! state. What follows from position and velocity moves along: the latitude's sine and cosine, gravity,
-//! and the gravity history, which the next block sets up anew as after a start.
+//! A correction applies to the state at the end of the last block, which
+//! [`output`](crate::strapdown::mechanization::Mechanization::output) shows. It goes through the same compensated
+//! sums as a step. Samples that wait for the next block are integrated from the corrected state. Quantities
+//! that depend on position and velocity are corrected too: the sine and cosine of the latitude, gravity, and the
+//! gravity history, which the next block sets up again as after a start.
 
 mod earth_fixed;
 mod local_level;
@@ -27,9 +27,8 @@ use crate::strapdown::plausible::Plausible;
 
 /// The corrected state less the present one, in north, east and down.
 ///
-/// The three parts are those of [`Drift`](crate::drift::compare::Drift), which measures one solution
-/// against another: so `drift(&truth, &computed)` is the correction that leads from the computed solution
-/// to the truth, whatever its size.
+/// Its three parts are those of [`Drift`](crate::drift::compare::Drift), the difference of two solutions. So
+/// `drift(&truth, &computed)` is the correction from the computed solution to the truth, whatever its size.
 ///
 /// ```
 /// use schuler::prelude::*;
@@ -65,27 +64,27 @@ pub struct Correction<R> {
     pub attitude_ned: Vector<R>,
 }
 
-/// The largest correction of a position, m. Who is farther off starts again.
+/// The largest correction of a position, m. A navigator with a larger error must be started again.
 pub const MOST_POSITION: f64 = 1e4;
 /// The largest correction of a velocity, m/s.
 pub const MOST_VELOCITY: f64 = 1e4;
 
 impl<R: Real> Correction<R> {
-    /// None: it leaves every bit of a state.
+    /// No correction: it changes no bit of a state.
     pub const ZERO: Self =
         Self { position_ned: Vector::ZERO, velocity_ned: Vector::ZERO, attitude_ned: Vector::ZERO };
 
-    /// Whether there is nothing to correct.
+    /// Whether it corrects nothing.
     fn is_zero(&self) -> bool {
         !self.moves() && self.attitude_ned.is_within(R::ZERO)
     }
 
-    /// Whether position or velocity change, and with them what gravity did before.
+    /// Whether it changes position or velocity, and so the gravity history.
     pub(crate) fn moves(&self) -> bool {
         !self.position_ned.is_within(R::ZERO) || !self.velocity_ned.is_within(R::ZERO)
     }
 
-    /// Whether it is finite and not too large.
+    /// Whether it is finite and within its limits.
     fn admit(&self) -> Result<(), CorrectionError> {
         let admitted = self.position_ned.norm().is_within(R::of(MOST_POSITION))
             & self.velocity_ned.norm().is_within(R::of(MOST_VELOCITY))
@@ -93,8 +92,8 @@ impl<R: Real> Correction<R> {
         if admitted { Ok(()) } else { Err(CorrectionError::Size) }
     }
 
-    /// Corrects the navigation of a state by a function, if both the correction and what comes out can be:
-    /// else it stays as it was, and so it does with nothing to correct.
+    /// Corrects the navigation of a state by a function, if the correction and its result are valid. Otherwise,
+    /// or with nothing to correct, the state does not change.
     pub(crate) fn apply<F: Copy + Plausible>(
         &self,
         frame: &mut F,
@@ -114,7 +113,7 @@ impl<R: Real> Correction<R> {
     }
 }
 
-/// Why a correction was not taken. The state is as it was, bit for bit.
+/// Why a correction was refused. The state has not changed in any bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -123,9 +122,9 @@ pub enum CorrectionError {
     Size,
     /// Local-level axes are within 64 times its length of a pole, or would come within 640 m of one.
     Pole,
-    /// It leads farther than 1000 km from the ellipsoid.
+    /// It leads to a place more than 1000 km from the ellipsoid.
     Place,
-    /// What comes out is no state to go on from: a speed that is not met, above all.
+    /// The result is not a valid state; most often its speed is too high.
     State,
 }
 
@@ -143,7 +142,7 @@ impl core::fmt::Display for CorrectionError {
 impl core::error::Error for CorrectionError {}
 
 impl From<Rejected> for CorrectionError {
-    /// Why a frame cannot go on from a place.
+    /// The reason why a frame cannot continue from a place.
     fn from(rejected: Rejected) -> Self {
         if rejected == Rejected::Pole { Self::Pole } else { Self::Place }
     }

@@ -1,4 +1,4 @@
-//! Rotations that a correction needs, kept less one: small ones have no bits to lose.
+//! Rotations of a correction, stored less one so that small rotations keep all their bits.
 
 use crate::earth::POLAR_SINE;
 use crate::math::compensated::Pair;
@@ -31,7 +31,8 @@ pub(super) fn about<R: Real>(v: Vector<R>) -> Quaternion<R> {
     Quaternion::new(-(square / (R::ONE + cosine)), v)
 }
 
-/// Beyond 84°, the turn about down from the north that was carried along to the meridian there; else none.
+/// Beyond 84° of latitude, the rotation about down from the north that was carried along to the meridian at the
+/// corrected place; elsewhere none.
 ///
 /// `half_longitude` is tan ½Δλ; the sines and cosines are those of the two latitudes.
 pub(super) fn to_meridian<R: Real>(
@@ -46,7 +47,7 @@ pub(super) fn to_meridian<R: Real>(
     about(Vector::new(R::ZERO, R::ZERO, sine))
 }
 
-/// Whether meridians are no measure of north.
+/// Whether the place is too near a pole for its meridian to define north.
 pub(super) fn is_polar<R: Real>(sine: R) -> R::Mask {
     R::of(POLAR_SINE).less(sine.abs())
 }

@@ -8,8 +8,8 @@ use crate::strapdown::correction::{Correction, CorrectionError};
 use crate::strapdown::frame::Frame;
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
-    /// Corrects position, velocity and attitude as they stand in [`State::output`]; samples that are
-    /// pending are integrated from there. A correction of zero leaves every bit.
+    /// Corrects position, velocity and attitude at the point of [`State::output`]. Pending samples are integrated
+    /// from there. A correction of zero changes no bit.
     ///
     /// # Errors
     ///
@@ -22,7 +22,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     ) -> Result<(), CorrectionError> {
         correction.apply(&mut state.frame, F::correct)?;
         if correction.moves() {
-            // The gravity history is that of another way here: the next block sets it up anew.
+            // The gravity history belongs to another path: the next block sets it up again.
             state.seeded = 0;
             state.intervals.set_history(R::ZERO);
         }

@@ -1,7 +1,7 @@
 //! The first and the last blocks of a stream, whose windows are incomplete.
 //!
-//! They are rare: the fit is made at run time, through as many samples as the motion
-//! supports, and all use the longest series.
+//! They are rare, so the fit is computed at run time, through as many samples as the motion supports, and all of
+//! them use the longest series.
 
 use super::rows::Read;
 use super::{State, Strapdown};

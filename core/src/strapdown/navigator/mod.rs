@@ -109,8 +109,8 @@ impl<F: Frame, W: Window> State<F, W> {
 }
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
-    /// With a sampling interval in seconds and the default limits. A number such as 0.01 is rounded before
-    /// it gets into a [`Pair::new`]; [`Strapdown::from_rate_hz`] has it exactly.
+    /// With a sampling interval in seconds and the default limits. In [`Pair::new`] a number such as 0.01 is already
+    /// rounded. [`Strapdown::from_rate_hz`] is exact.
     ///
     /// # Errors
     ///
@@ -119,7 +119,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         Self::with_limits(interval_s, Limits::default())
     }
 
-    /// With a sampling rate in hertz: the interval is its reciprocal to twice the digits of `R`.
+    /// With a sampling rate in hertz. The interval is its reciprocal, to twice the digits of `R`.
     ///
     /// ```
     /// use schuler::Navigator4;
@@ -132,8 +132,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         Self::new(interval_of(rate_hz))
     }
 
-    /// With a sampling interval in seconds, to twice the digits of `f32`, or to those of `f64`. 1/100 is no
-    /// binary fraction: where the rate is the round number, [`Strapdown::from_rate_hz`] is the exact one.
+    /// With a sampling interval in seconds, to twice the digits of `f32`, or to the digits of `f64`. 1/100 is not a
+    /// binary fraction: if the rate is a round number, [`Strapdown::from_rate_hz`] is exact.
     #[inline]
     pub fn from_interval_s(interval_s: f64) -> Result<Self, StartError> {
         Self::new(Pair::of(interval_s))
@@ -225,7 +225,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         self.take(state, sample, R::ZERO, &mut Blocks(see))
     }
 
-    /// Integrates all pending samples, at the end of the stream. More samples may follow nevertheless.
+    /// Integrates all pending samples at the end of the stream. More samples may still follow.
     pub fn finish(&self, state: &mut State<F, W>) {
         self.end(state, &mut Unread);
     }

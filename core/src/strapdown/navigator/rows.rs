@@ -1,6 +1,6 @@
-//! Whether and by whom rows inside a block are read: a type decides, so that rows that are not read cost nothing.
-//! With a window for samples of any length it is decided at run time, so that one copy of the code serves all
-//! readers.
+//! Readers of the rows inside a block. The type of the reader decides whether rows are computed, so that rows that
+//! nobody reads cost nothing. With a window for samples of any length this is decided at run time, so that one
+//! copy of the code serves all readers.
 
 use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::frame::Frame;

@@ -161,7 +161,7 @@ fn check(log: &Log<'_>) -> Result<(), LogError> {
         if to_s <= from_s {
             return Err(LogError::NotIncreasing { index });
         }
-        if !(to_s - from_s <= log.max_gap_s) {
+        if (to_s - from_s > log.max_gap_s) | log.max_gap_s.is_nan() {
             return Err(LogError::Gap { index, from_s, to_s, max_gap_s: log.max_gap_s });
         }
         let [x, y, z, h] = core::array::from_fn(|k| {

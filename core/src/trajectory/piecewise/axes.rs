@@ -24,6 +24,65 @@ pub enum Attitude {
     Level,
 }
 
+/// Forward, right and down at an instant, in Earth-fixed axes, and their rate.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turning {
+    axes: [Vector<f64>; 3],
+    /// ω_ebᵇ, rad/s.
+    pub rate_eb_b: Vector<f64>,
+}
+
+impl Turning {
+    /// Of a velocity and a vector that down points away from, each with its derivative.
+    #[inline(always)]
+    fn new([v, v1]: [Vector<f64>; 2], [w, w1]: [Vector<f64>; 2]) -> Self {
+        // x = v/|v|,  ẋ = (v̇ − x(x·v̇))/|v|,  z = −(w − x(x·w))/|…|,  y = z × x
+        let per_speed = 1.0 / v.norm();
+        let x = v * per_speed;
+        let x1 = (v1 - x * x.dot(v1)) * per_speed;
+        let along = x.dot(w);
+        let across = w - x * along;
+        let per_length = 1.0 / across.norm();
+        let z = across * -per_length;
+        let y = z.cross(x);
+        // p = (ẇ·y − (ẋ·y)(x·w))/|w − x(x·w)|,  q = −ẋ·z,  r = ẋ·y
+        let yaw_rate = x1.dot(y);
+        let roll_rate = (w1.dot(y) - yaw_rate * along) * per_length;
+        Self { axes: [x, y, z], rate_eb_b: Vector::new(roll_rate, -x1.dot(z), yaw_rate) }
+    }
+
+    /// Of a path by a rule.
+    #[inline(always)]
+    pub fn by_rule<const N: usize>(
+        rule: Attitude,
+        place: &Place<N>,
+        velocity: Vector<Series<2>>,
+        force: Vector<Series<2>>,
+    ) -> Self {
+        let both = |a: Vector<Series<2>>| [0, 1].map(|k| a.map(|c| c.coefficient(k)));
+        let normal = || both(place.normal());
+        match rule {
+            Attitude::Coordinated | Attitude::Stored => Self::new(both(velocity), both(force)),
+            Attitude::Upright => Self::new(both(velocity), normal()),
+            Attitude::Level => {
+                // v − n̂(v·n̂), and its derivative
+                let ([v, v1], [n, n1]) = (both(velocity), normal());
+                let climb = v.dot(n);
+                let level = v - n * climb;
+                let change = v1 - n1 * climb - n * (v1.dot(n) + v.dot(n1));
+                Self::new([level, change], [n, n1])
+            }
+        }
+    }
+
+    /// A vector of the Earth's axes in these.
+    #[inline(always)]
+    pub fn to_body(&self, a: Vector<f64>) -> Vector<f64> {
+        let [x, y, z] = self.axes;
+        Vector::new(x.dot(a), y.dot(a), z.dot(a))
+    }
+}
+
 /// Forward, right and down as series, in Earth-fixed axes; and fᵉ.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Axes<const M: usize> {
@@ -38,8 +97,8 @@ pub(super) fn motion<const N: usize, const M: usize>(
     let velocity = place.position.map(|r| r.derivative());
     let v = velocity.map(|v| v.first::<M>());
     let acceleration = velocity.map(|v| v.derivative().first::<M>());
-    let gravity = place.gravity::<M>();
-    let mut force = acceleration + place.normal.map(|n| n.first::<M>()) * gravity;
+    let normal = place.normal::<M>();
+    let mut force = acceleration + normal * place.gravity();
     force.x = force.x - v.y.scaled(2.0 * ROTATION_RATE);
     force.y = force.y + v.x.scaled(2.0 * ROTATION_RATE);
     (v, force)
@@ -55,7 +114,7 @@ impl<const M: usize> Axes<M> {
         force: Vector<Series<M>>,
     ) -> Self {
         // x = v/|v|,  z = −(w − x(x·w))/|…|,  y = z × x
-        let normal = place.normal.map(|n| n.first::<M>());
+        let normal = place.normal::<M>();
         let unit = |a: Vector<Series<M>>| a * a.dot(a).reciprocal_root();
         let (x, w) = match rule {
             Attitude::Coordinated | Attitude::Stored => (unit(velocity), force),
@@ -64,13 +123,6 @@ impl<const M: usize> Axes<M> {
         };
         let z = -unit(w - x * x.dot(w));
         Self { axes: [x, z.cross(x), z] }
-    }
-
-    /// A vector of the Earth's axes in these.
-    #[inline(always)]
-    pub fn to_body(&self, a: Vector<f64>) -> Vector<f64> {
-        let [x, y, z] = self.axes.map(|axis| axis.map(|c| c.value()).dot(a));
-        Vector::new(x, y, z)
     }
 
     /// ω_ebᵇ with `M − 1` coefficients.

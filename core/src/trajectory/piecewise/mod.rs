@@ -44,7 +44,7 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::sample::Rates;
 use crate::solution::Solution;
-use axes::{Axes, motion};
+use axes::{Axes, Turning, motion};
 use piece::{Half, Piece};
 use place::Place;
 
@@ -170,13 +170,13 @@ impl<const TERMS: usize> Piece<TERMS> {
             let [x, y, z, h] = self.series::<4>(Half::Position, time_s);
             let place = Place::new(Vector::new(x, y, z), h);
             let (velocity, force) = motion::<4, 2>(&place);
-            let axes = Axes::new(attitude, &place, velocity, force);
-            let mut specific_force_b = axes.to_body(force.map(|f| f.value()));
+            let turning = Turning::by_rule(attitude, &place, velocity, force);
+            let mut specific_force_b = turning.to_body(force.map(|f| f.value()));
             if attitude == Attitude::Coordinated {
                 specific_force_b.y = 0.0;
             }
             return Rates {
-                rate_ib_b: axes.rate().map(|w| w.value()) + axes.to_body(earth_rate),
+                rate_ib_b: turning.rate_eb_b + turning.to_body(earth_rate),
                 specific_force_b,
             };
         }
@@ -184,7 +184,8 @@ impl<const TERMS: usize> Piece<TERMS> {
         let place = Place::new(Vector::new(x, y, z), h);
         let velocity_e = place.position.map(|r| r.coefficient(1));
         let acceleration_e = place.position.map(|r| 2.0 * r.coefficient(2));
-        let gravity = place.normal.map(|n| n.value()) * place.gravity::<1>().value();
+        let normal = place.normal::<1>();
+        let gravity = (normal * place.gravity()).map(|g| g.value());
         let force = specific_force_e(velocity_e, acceleration_e, gravity);
         let [s, rate] = turning(&self.series::<2>(Half::Attitude, time_s));
         // ω_ibᵇ = 2 Vec(s* ⊗ ṡ)/|s|² + RᵀΩ
@@ -212,7 +213,7 @@ impl<const TERMS: usize> Piece<TERMS> {
             (axes.quaternion(), first, second)
         };
         Kinematics {
-            normal_e: place.normal.map(|n| n.value()),
+            normal_e: place.normal::<1>().map(|n| n.value()),
             altitude: h.value(),
             velocity_e: place.position.map(|r| r.coefficient(1)),
             acceleration_e: place.position.map(|r| 2.0 * r.coefficient(2)),

@@ -22,30 +22,37 @@ use crate::trajectory::series::Series;
 /// Normal and position about an instant, in Earth-fixed axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place<const N: usize> {
-    /// n̂ = m/|m|.
-    pub normal: Vector<Series<N>>,
     /// h, m.
     pub altitude: Series<N>,
     /// r, m.
     pub position: Vector<Series<N>>,
-    /// 1/W, W² = 1 − e²σ², σ = n̂_z.
-    inverse_w: Series<N>,
+    m: Vector<Series<N>>,
+    /// k = 1/|m|.
+    inverse_length: Series<N>,
+    /// k/W, W² = 1 − e²σ², σ = n̂_z.
+    per_w: Series<N>,
 }
 
 impl<const N: usize> Place<N> {
     /// From a normal of any length and a height.
     #[inline(always)]
     pub fn new(m: Vector<Series<N>>, altitude: Series<N>) -> Self {
-        let length = m.dot(m).reciprocal_root();
-        let normal = m * length;
-        // r = (N + h)n̂ − e²Nσẑ,  N = a/W
-        let sine = normal.z;
-        let inverse_w = (sine * sine).scaled(-ECCENTRICITY_SQUARED).plus(1.0).reciprocal_root();
-        let prime_vertical = inverse_w.scaled(SEMI_MAJOR_AXIS);
-        let radius = prime_vertical + altitude;
-        let mut position = normal * radius;
-        position.z = position.z - (prime_vertical * sine).scaled(ECCENTRICITY_SQUARED);
-        Self { normal, altitude, position, inverse_w }
+        // r = (N + h)n̂ − e²Nσẑ,  N = a/W,  n̂ = m k:  with q = k/W = (|m|² − e²m_z²)^(−½)
+        // r = (a q + h k)m − e² a q m_z ẑ
+        let polar = m.z * m.z;
+        let square = m.x * m.x + m.y * m.y + polar;
+        let inverse_length = square.reciprocal_root();
+        let per_w = (square - polar.scaled(ECCENTRICITY_SQUARED)).reciprocal_root();
+        let radius = per_w.scaled(SEMI_MAJOR_AXIS);
+        let mut position = m * (radius + altitude * inverse_length);
+        position.z = position.z - (radius * m.z).scaled(ECCENTRICITY_SQUARED);
+        Self { altitude, position, m, inverse_length, per_w }
+    }
+
+    /// n̂ = m/|m|, its first `M` coefficients.
+    #[inline(always)]
+    pub fn normal<const M: usize>(&self) -> Vector<Series<M>> {
+        self.m.map(|m| m.first::<M>()) * self.inverse_length.first::<M>()
     }
 
     /// Normal gravity γ, m/s², its first `M` coefficients.
@@ -53,9 +60,12 @@ impl<const N: usize> Place<N> {
     pub fn gravity<const M: usize>(&self) -> Series<M> {
         // γ = γ_e(1 + k σ²)/W · [1 − (2/a)(1 + f + m − 2f σ²)h + 3h²/a²]
         const A: f64 = SEMI_MAJOR_AXIS;
-        let sine = self.normal.z.first::<M>();
-        let (square, altitude) = (sine * sine, self.altitude.first::<M>());
-        let surface = square.scaled(SOMIGLIANA).plus(1.0) * self.inverse_w.first();
+        let (sine, altitude) = (self.normal::<M>().z, self.altitude.first::<M>());
+        let square = sine * sine;
+        // 1/W = q|m|² k
+        let m = self.m.map(|m| m.first::<M>());
+        let inverse_w = self.per_w.first::<M>() * (m.dot(m) * self.inverse_length.first());
+        let surface = square.scaled(SOMIGLIANA).plus(1.0) * inverse_w;
         let slope = square
             .scaled(4.0 * FLATTENING / A)
             .plus(-2.0 / A * (1.0 + FLATTENING + CENTRIFUGAL_RATIO))

@@ -2,11 +2,12 @@
 
 use super::chain::{Chain, Stage};
 use super::compare::{Parting, compare};
-use super::configuration::{self, Named as _};
+use super::configuration::Named as _;
 use super::pair::Common;
 use super::record::{Cadence, SHARED, record};
 use schuler::flight::configuration::Configuration;
 use schuler_simulator::input::{Complaint, InputError, read_text};
+use schuler_simulator::navigator::stepping;
 use schuler_simulator::scene::{Scene, builtin, limits, parse};
 use schuler_simulator::simulate::FlightError;
 use serde::Serialize;
@@ -82,7 +83,7 @@ pub fn verify(
         let golden: Vec<_> = group.iter().map(read).collect::<Result<_, InputError>>()?;
         let [(_, first, file), ..] = golden.as_slice() else { continue };
         let (scene, cadence) = flight(folder, first, file)?;
-        let wanted: Vec<Configuration> = configuration::all()
+        let wanted: Vec<Configuration> = stepping::all()
             .iter()
             .filter(|c| golden.iter().any(|(name, ..)| stem(name) == c.stem()))
             .copied()
@@ -95,7 +96,7 @@ pub fn verify(
                 return Err(InputError::file(file, Complaint::new(what, accepted)).into());
             }
             let Some((_, again)) = flown.iter().find(|(flown, _)| flown == stem(name)) else {
-                let stems = configuration::all().iter().map(|c| c.stem()).collect::<Vec<_>>();
+                let stems = stepping::all().iter().map(|c| c.stem()).collect::<Vec<_>>();
                 let names: Vec<_> = SHARED.map(str::to_owned).into_iter().chain(stems).collect();
                 let what = "is not the name of a stage or a navigator that can be flown again";
                 return Err(InputError::file(file, Complaint::new(what, names.join(", "))).into());

@@ -36,6 +36,7 @@ use chain::Chain;
 use configuration::Named as _;
 use schuler::flight::configuration::Configuration;
 use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::navigator::stepping;
 use schuler_simulator::output::{self, say};
 use schuler_simulator::scene::{self, builtin};
 use schuler_simulator::simulate::FlightError;
@@ -85,12 +86,12 @@ fn keep_scene(from: &str, to: &Path) -> Result<(), InputError> {
 
 fn chosen(names: &[String]) -> Result<Vec<Configuration>, InputError> {
     if names.is_empty() {
-        return Ok(configuration::all());
+        return Ok(stepping::all());
     }
     let find = |name: &String| {
         let known = |c: &&Configuration| c.stem() == *name || c.title() == *name;
-        configuration::all().iter().find(known).copied().ok_or_else(|| {
-            let names: Vec<_> = configuration::all().iter().map(|c| c.stem()).collect();
+        stepping::all().iter().find(known).copied().ok_or_else(|| {
+            let names: Vec<_> = stepping::all().iter().map(|c| c.stem()).collect();
             let complaint = Complaint::new(format!("there is no {name}"), names.join(", "));
             InputError::option("--configuration", complaint)
         })

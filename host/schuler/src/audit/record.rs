@@ -1,12 +1,13 @@
 //! Recording: a scene's stages, and every navigator's, into chains.
 
 use super::chain::{Chain, Checkpoint, Row, Stage, Width};
-use super::configuration::{self, Named as _, Words, words};
+use super::configuration::Named as _;
 use schuler::digest;
 use schuler::flight::configuration::Configuration;
 use schuler::link::gap::Bridge;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
+use schuler_simulator::navigator::stepping::{self, Words, words};
 use schuler_simulator::scene::{Scene, Vertical};
 use schuler_simulator::simulate::{FlightError, Refused, offset};
 use schuler_simulator::source::Source;
@@ -40,9 +41,7 @@ pub fn record(
     let mut shared = SHARED.map(|stage| Recording::new(&[stage], Width::Double, cadence));
     let mut flights = Vec::new();
     for configuration in configurations {
-        let steps = configuration::start(configuration, interval_s, &initial)
-            .ok_or_else(|| schuler_simulator::navigator::unknown(configuration))?
-            .map_err(schuler_simulator::navigator::Unavailable::from)?;
+        let steps = stepping::start(configuration, interval_s, &initial)?;
         let recording = Recording::new(&["body", "nav"], configuration.width(), cadence);
         flights.push((configuration, steps, recording));
     }

@@ -2,6 +2,8 @@
 
 use super::statistics::Comparison;
 use schuler_simulator::flight::Nine;
+use schuler_simulator::number::exact;
+use schuler_simulator::output;
 
 /// The file's name.
 pub const NAME: &str = "ensemble.csv";
@@ -24,29 +26,25 @@ pub const COLUMNS: [&str; 10] = [
 
 /// All comparisons, one a line; numbers round-trip.
 pub fn bytes(comparisons: &[Comparison]) -> Vec<u8> {
-    let mut lines = csv::Writer::from_writer(Vec::new());
-    let number = |x: f64| zmij::Buffer::new().format(x).to_owned();
-    let told = |x: f64| if x.is_nan() { String::new() } else { number(x) };
-    // Records of one length, to memory: neither can fail.
-    let _ = lines.write_record(COLUMNS);
-    for c in comparisons {
+    let told = |x: f64| if x.is_nan() { String::new() } else { exact(x) };
+    let rows = comparisons.iter().map(|c| {
         let tests = match c.tests {
-            Some(tests) => tests.map(|t| [number(t.chi_square), number(t.probability)]),
+            Some(tests) => tests.map(|t| [exact(t.chi_square), exact(t.probability)]),
             None => Default::default(),
         };
         let [[mean_chi_square, mean_probability], [sigma_chi_square, sigma_probability]] = tests;
-        let _ = lines.write_record([
-            number(c.time_s),
+        [
+            exact(c.time_s),
             Nine::NAMES[c.component].to_owned(),
-            number(c.mean),
+            exact(c.mean),
             told(c.mean_theory),
-            number(c.sigma),
+            exact(c.sigma),
             told(c.sigma_theory),
             mean_chi_square,
             mean_probability,
             sigma_chi_square,
             sigma_probability,
-        ]);
-    }
-    lines.into_inner().unwrap_or_default()
+        ]
+    });
+    output::csv(COLUMNS, rows)
 }

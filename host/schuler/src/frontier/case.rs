@@ -1,19 +1,16 @@
 //! What is compared: algorithm and window, frame, precision, the source of functions.
 
-use super::rates::{NavigateRates, OnRates};
 use schuler::flight::catalogue::{Catalogue as _, Every};
 use schuler::flight::configuration::Configuration;
 use schuler::flight::plan::{self, Demand};
-use schuler::math::coarse::Coarse;
-use schuler::math::compensated::{Pair, Plain};
+use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
 use schuler::strapdown::block::window::NAMED;
-use schuler::strapdown::frame::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::local_level::LocalLevel;
-use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook};
 use schuler::trajectory::Bound;
-use schuler_simulator::navigator::{self, COMPARED, Navigate, Unavailable};
-use schuler_simulator::scene::{Algorithm, Axes, Navigator, Precision, WindowShape};
+use schuler_simulator::navigator::compared::{self, Arithmetic, COMPARED};
+use schuler_simulator::navigator::rates::{self, NavigateRates};
+use schuler_simulator::navigator::{Navigate, Unavailable};
+use schuler_simulator::scene::{Algorithm, Axes, Precision, WindowShape};
 use std::fmt;
 
 /// How samples are integrated.
@@ -34,50 +31,6 @@ impl fmt::Display for Method {
             Self::Taylor(window) => write!(f, "{} {window}", Algorithm::Taylor),
             Self::RungeKutta => f.write_str("rk4"),
         }
-    }
-}
-
-/// Arithmetic, how the state is summed up, and where functions come from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Arithmetic {
-    /// As `--precision` names it. Textbook and Runge-Kutta compensate nothing in any of them.
-    Named(Precision),
-    /// Double, sums without compensation.
-    PlainDouble,
-    /// Single, sums without compensation.
-    PlainSingle,
-    /// Single with micromath's rough functions.
-    Coarse,
-}
-
-impl Arithmetic {
-    /// Its name in the files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Named(precision) => precision.name(),
-            Self::PlainDouble => "f64-plain",
-            Self::PlainSingle => "f32-plain",
-            Self::Coarse => Precision::F32.name(),
-        }
-    }
-
-    /// Whether it is double precision.
-    pub fn is_double(self) -> bool {
-        matches!(self, Self::Named(Precision::F64) | Self::PlainDouble)
-    }
-
-    /// How many digits it has.
-    fn precision(self) -> Precision {
-        match self {
-            Self::Named(precision) => precision,
-            Self::PlainDouble => Precision::F64,
-            Self::PlainSingle | Self::Coarse => Precision::F32,
-        }
-    }
-
-    /// Where square roots and the functions of the start come from.
-    pub fn math(self) -> &'static str {
-        if self == Self::Coarse { "micromath" } else { "libm" }
     }
 }
 
@@ -155,10 +108,13 @@ impl Case {
         initial: &Solution<f64>,
     ) -> Result<Craft, Unavailable> {
         let interval_s = Pair::new(rate_hz).reciprocal();
-        let (algorithm, shape) = match self.method {
-            Method::RungeKutta => return self.start_on_rates(interval_s.hi, initial),
-            Method::Textbook => (Algorithm::Textbook, plan::UNKNOWN),
-            Method::Taylor(shape) => (Algorithm::Taylor, shape),
+        let window = match self.method {
+            Method::RungeKutta => {
+                let navigator = rates::start(self.arithmetic, interval_s.hi, initial)?;
+                return Ok(Craft::Rates(navigator));
+            }
+            Method::Textbook => None,
+            Method::Taylor(shape) => Some(shape),
         };
         let demand = Demand {
             bandwidth: bound.bandwidth,
@@ -169,63 +125,10 @@ impl Case {
             precision: self.arithmetic.precision(),
             axes: self.frame,
         };
-        let order = plan::order(&demand, shape);
-        // Uncompensated, the interval too is one number.
-        let (double, single) = (Pair::new(interval_s.hi), Pair::new(interval_s.hi as f32));
-        let coarse = Pair::narrow(interval_s);
-        let navigator = match (self.arithmetic, algorithm, self.frame) {
-            (Arithmetic::Named(precision), ..) => {
-                let frame = self.frame;
-                let navigator = Navigator { algorithm, precision, frame, ..Default::default() };
-                navigator::start(&navigator, shape, order, interval_s, initial)
-            }
-            (Arithmetic::PlainDouble, _, Axes::LocalLevel) => {
-                navigator::taylor_compared::<LocalLevel<Plain<f64>>>(shape, order, double, initial)
-            }
-            (Arithmetic::PlainDouble, _, Axes::EarthFixed) => {
-                navigator::taylor_compared::<EarthFixed<Plain<f64>>>(shape, order, double, initial)
-            }
-            (Arithmetic::PlainSingle, _, Axes::LocalLevel) => {
-                navigator::taylor_compared::<LocalLevel<Plain<f32>>>(shape, order, single, initial)
-            }
-            (Arithmetic::PlainSingle, _, Axes::EarthFixed) => {
-                navigator::taylor_compared::<EarthFixed<Plain<f32>>>(shape, order, single, initial)
-            }
-            (Arithmetic::Coarse, Algorithm::Textbook, Axes::LocalLevel) => {
-                navigator::textbook::<LocalLevelTextbook<Coarse>>(coarse.hi, initial)
-            }
-            (Arithmetic::Coarse, Algorithm::Textbook, Axes::EarthFixed) => {
-                navigator::textbook::<EarthFixedTextbook<Coarse>>(coarse.hi, initial)
-            }
-            (Arithmetic::Coarse, Algorithm::Taylor, Axes::LocalLevel) => {
-                navigator::taylor_compared::<LocalLevel<Pair<Coarse>>>(
-                    shape, order, coarse, initial,
-                )
-            }
-            (Arithmetic::Coarse, Algorithm::Taylor, Axes::EarthFixed) => {
-                navigator::taylor_compared::<EarthFixed<Pair<Coarse>>>(
-                    shape, order, coarse, initial,
-                )
-            }
-        };
-        Ok(Craft::Increments(navigator?))
-    }
-
-    fn start_on_rates(
-        &self,
-        interval_s: f64,
-        initial: &Solution<f64>,
-    ) -> Result<Craft, Unavailable> {
-        let navigator: Box<dyn NavigateRates> = match self.arithmetic {
-            Arithmetic::Named(Precision::F64) | Arithmetic::PlainDouble => {
-                Box::new(OnRates::<f64>::new(interval_s, initial)?)
-            }
-            Arithmetic::Coarse => Box::new(OnRates::<Coarse>::new(interval_s, initial)?),
-            Arithmetic::Named(Precision::F32 | Precision::F32x2) | Arithmetic::PlainSingle => {
-                Box::new(OnRates::<f32>::new(interval_s, initial)?)
-            }
-        };
-        Ok(Craft::Rates(navigator))
+        let order = plan::order(&demand, window.unwrap_or(plan::UNKNOWN));
+        let navigator =
+            compared::start(self.arithmetic, self.frame, window, order, interval_s, initial)?;
+        Ok(Craft::Increments(navigator))
     }
 }
 

@@ -1,6 +1,8 @@
 //! All points as `frontier.csv`.
 
 use super::Point;
+use schuler_simulator::number::exact;
+use schuler_simulator::output;
 
 /// The columns of `frontier.csv`. `window` is history,block,look-ahead, empty without one; `on_front`
 /// is per scene, by `ns_per_sample` × `rate_hz` and `max_position_m`.
@@ -22,8 +24,6 @@ pub const COLUMNS: [&str; 13] = [
 
 /// All points, one a line; numbers round-trip.
 pub fn bytes(points: &[Point]) -> Vec<u8> {
-    let mut lines = csv::Writer::from_writer(Vec::new());
-    let number = |x: f64| zmij::Buffer::new().format(x).to_owned();
     let rows = points.iter().map(|p| {
         [
             p.scene.clone(),
@@ -33,20 +33,15 @@ pub fn bytes(points: &[Point]) -> Vec<u8> {
             p.case.frame.name().to_owned(),
             p.case.arithmetic.name().to_owned(),
             p.case.arithmetic.math().to_owned(),
-            number(p.ns_per_sample),
-            number(p.ns_spread),
-            number(p.max_position_m),
-            number(p.max_velocity_m_s),
-            number(p.max_attitude_arcsec),
+            exact(p.ns_per_sample),
+            exact(p.ns_spread),
+            exact(p.max_position_m),
+            exact(p.max_velocity_m_s),
+            exact(p.max_attitude_arcsec),
             p.on_front.to_string(),
         ]
     });
-    // Records of one length, to memory: neither can fail.
-    let _ = lines.write_record(COLUMNS);
-    for row in rows {
-        let _ = lines.write_record(row);
-    }
-    lines.into_inner().unwrap_or_default()
+    output::csv(COLUMNS, rows)
 }
 
 #[cfg(test)]

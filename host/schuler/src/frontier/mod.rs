@@ -12,7 +12,6 @@ pub mod front;
 pub mod measure;
 pub mod pace;
 pub mod plot;
-pub mod rates;
 #[cfg(test)]
 mod sample;
 pub mod table;

@@ -1,12 +1,14 @@
 //! `frontier.png`: a panel per scene, time against error, both logarithmic, with the front.
 
 use super::Point;
-use super::case::{Arithmetic, Case, Method};
+use super::case::{Case, Method};
 use super::table::{by_scene, front_of};
 use schuler_report::axis::printed;
 use schuler_report::canvas::{Anchor, Canvas, Ink, Lettering, Stroke};
-use schuler_report::chart::Frame;
+use schuler_report::decades::Decades;
+use schuler_report::grid::{Frame, Grid, SMALL};
 use schuler_report::raster::Raster;
+use schuler_simulator::navigator::compared::Arithmetic;
 use schuler_simulator::number::parameter;
 use schuler_simulator::scene::{self, Precision, WindowShape};
 use std::io;
@@ -24,7 +26,6 @@ const FOOT: f32 = 48.0;
 const LEAST_HEIGHT: f32 = 300.0;
 /// From one name to the next.
 const LINE: f32 = 14.0;
-const SMALL: f32 = 11.0;
 
 /// The picture.
 pub fn png(points: &[Point]) -> io::Result<Vec<u8>> {
@@ -76,70 +77,23 @@ fn legend(canvas: &mut impl Canvas) {
     canvas.text([left + 30.0, 42.0], front, Ink::Muted, lettering(Anchor::Start));
 }
 
-/// A logarithmic axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Decades {
-    /// log₁₀ of the ends.
-    from: f64,
-    to: f64,
-}
-
-impl Decades {
-    /// Spans what is positive and finite among the values, with some air.
-    pub fn spanning(values: impl IntoIterator<Item = f64>) -> Self {
-        let exponents = values.into_iter().filter(|x| *x > 0.0 && x.is_finite()).map(f64::log10);
-        let (low, high) = exponents.fold((f64::MAX, f64::MIN), |(l, h), e| (l.min(e), h.max(e)));
-        let (low, high) = if low > high { (0.0, 0.0) } else { (low, high) };
-        let air = 0.15_f64.max(0.03 * (high - low));
-        Self { from: low - air, to: high + air }
-    }
-
-    /// Where a value lies, 0 to 1; what is zero, at the lower end.
-    pub fn fraction(self, value: f64) -> f64 {
-        ((value.log10() - self.from) / (self.to - self.from)).clamp(0.0, 1.0)
-    }
-
-    /// Round values, at most about so many: whole decades, with 2 and 5 where there are few.
-    pub fn ticks(self, most: usize) -> Vec<f64> {
-        let decades = self.to - self.from;
-        let step = (decades / most.max(1) as f64).ceil().max(1.0) as usize;
-        let digits: &[f64] = if 3.0 * decades <= most as f64 { &[1.0, 2.0, 5.0] } else { &[1.0] };
-        let (first, last) = (self.from.floor() as i32, self.to.ceil() as i32);
-        (first..=last)
-            .filter(|exponent| exponent.rem_euclid(step as i32) == 0)
-            .flat_map(|exponent| digits.iter().map(move |digit| digit * 10f64.powi(exponent)))
-            .filter(|value| (self.from..=self.to).contains(&value.log10()))
-            .collect()
-    }
-}
-
 fn panel(canvas: &mut impl Canvas, scene: &[&Point], inner: Frame) {
     let x_axis = Decades::spanning(scene.iter().map(|p| p.cost_us_per_s()));
     let y_axis = Decades::spanning(scene.iter().map(|p| p.max_position_m));
     let (right, bottom) = (inner.left + inner.width, inner.top + inner.height);
     let x = |cost: f64| inner.left + inner.width * x_axis.fraction(cost) as f32;
     let y = |error: f64| bottom - inner.height * y_axis.fraction(error) as f32;
-    for cost in x_axis.ticks(12) {
-        canvas.line("", &[[x(cost), inner.top], [x(cost), bottom]], Ink::Grid, Stroke::solid(1.0));
-        let at = [x(cost), bottom + 15.0];
-        canvas.text(at, &parameter(cost), Ink::Muted, lettering(Anchor::Middle));
-    }
-    for error in y_axis.ticks((inner.height / 24.0) as usize) {
-        let level = [[inner.left, y(error)], [right, y(error)]];
-        canvas.line("", &level, Ink::Grid, Stroke::solid(1.0));
-        let (at, name) = ([inner.left - 6.0, y(error) + 4.0], printed(&format!("{error:e}")));
-        canvas.text(at, &name, Ink::Muted, lettering(Anchor::End));
-    }
-    let corner = [[inner.left, inner.top], [inner.left, bottom], [right, bottom]];
-    canvas.line("", &corner, Ink::Muted, Stroke::solid(1.0));
-    let middle = (inner.left + right) / 2.0;
-    let time = "time per second of flight, µs";
-    canvas.text([middle, bottom + 31.0], time, Ink::Muted, lettering(Anchor::Middle));
-    let heading = Lettering { size: 13.0, bold: true, anchor: Anchor::Start };
     let title = scene.first().map_or(String::new(), |first| {
         format!("{}, {} s: largest position error, m", first.scene, parameter(first.duration_s))
     });
-    canvas.text([inner.left, inner.top - 11.0], &title, Ink::Text, heading);
+    let errors = y_axis.ticks((inner.height / 24.0) as usize).into_iter();
+    let grid = Grid {
+        title: &title,
+        x_label: "time per second of flight, µs",
+        x: x_axis.ticks(12).into_iter().map(|cost| (x(cost), parameter(cost))).collect(),
+        y: errors.map(|error| (y(error), printed(&format!("{error:e}")))).collect(),
+    };
+    grid.draw(canvas, inner);
 
     let at = |point: &Point| [x(point.cost_us_per_s()), y(point.max_position_m)];
     let front = front_of(scene);
@@ -217,20 +171,6 @@ mod tests {
         // Crowded ones spread about their middle.
         assert_eq!(spread(&[50.0, 50.0, 50.0], 0.0, 100.0, 14.0), [36.0, 50.0, 64.0]);
         assert!(spread(&[], 0.0, 100.0, 14.0).is_empty());
-    }
-
-    #[test]
-    fn decades_are_marked() {
-        let axis = Decades::spanning([0.0, 1e-9, f64::NAN, 1e3, f64::INFINITY]);
-        assert!(axis.fraction(1e-9) > 0.0 && axis.fraction(1e3) < 1.0);
-        assert!((axis.fraction(1e-3) - 0.5).abs() < 1e-9);
-        let near = |ticks: Vec<f64>, expected: &[f64]| {
-            assert_eq!(ticks.len(), expected.len(), "{ticks:?}");
-            assert!(ticks.iter().zip(expected).all(|(a, b)| (a / b - 1.0).abs() < 1e-12));
-        };
-        near(axis.ticks(7), &[1e-8, 1e-6, 1e-4, 1e-2, 1e0, 1e2]);
-        near(Decades::spanning([1.5, 40.0]).ticks(12), &[2.0, 5.0, 10.0, 20.0, 50.0]);
-        assert_eq!(axis.fraction(0.0), 0.0);
     }
 
     #[test]

@@ -1,36 +1,36 @@
 //! The target's application in this process: no channel at all.
 
 use super::channel::{Broken, Channel};
-use schuler::link::fleet::Fleet;
-use schuler::link::target::Target;
+use schuler_simulator::twin::application::{self, Application};
 use std::time::Duration;
 
 /// A target that answers before `send` returns.
-pub struct InProcess<F> {
-    target: Target<F>,
+pub struct InProcess {
+    target: Box<dyn Application>,
     answers: Vec<u8>,
 }
 
-impl<F: Fleet> InProcess<F> {
-    /// Switched on.
-    pub fn new() -> Self {
-        let (mut target, mut answers) = (Target::new(0), Vec::new());
+impl InProcess {
+    /// Switched on, with whatever the link can fly.
+    pub fn every() -> Self {
+        Self::new(application::every())
+    }
+
+    /// Switched on, without double precision.
+    pub fn single() -> Self {
+        Self::new(application::single())
+    }
+
+    fn new(mut target: Box<dyn Application>) -> Self {
+        let mut answers = Vec::new();
         target.hello(&mut |bytes| answers.extend_from_slice(bytes));
         Self { target, answers }
     }
 }
 
-impl<F: Fleet> Default for InProcess<F> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<F: Fleet + Send> Channel for InProcess<F> {
+impl Channel for InProcess {
     fn send(&mut self, frame: &[u8]) -> Result<(), Broken> {
-        for &byte in frame {
-            self.target.take(byte, &mut |bytes| self.answers.extend_from_slice(bytes));
-        }
+        self.target.take(frame, &mut |bytes| self.answers.extend_from_slice(bytes));
         Ok(())
     }
 

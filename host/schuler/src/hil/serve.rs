@@ -1,8 +1,7 @@
 //! The target's application behind standard input and output: the other end of `--device twin`.
 
-use schuler::link::fleet::Every;
-use schuler::link::target::Target;
 use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::twin::application;
 use std::io::{self, Read, Write};
 
 /// Serves until the input ends.
@@ -13,7 +12,7 @@ pub fn serve() -> Result<(), InputError> {
     };
     let (mut from, mut to) = (io::stdin().lock(), io::stdout().lock());
     let (mut buffer, mut answers) = ([0; 4096], Vec::new());
-    let mut target = Target::<Every>::new(0);
+    let mut target = application::every();
     target.hello(&mut |bytes| answers.extend_from_slice(bytes));
     loop {
         to.write_all(&answers).and_then(|()| to.flush()).map_err(fault)?;
@@ -22,8 +21,6 @@ pub fn serve() -> Result<(), InputError> {
         if length == 0 {
             return Ok(());
         }
-        for &byte in &buffer[..length] {
-            target.take(byte, &mut |bytes| answers.extend_from_slice(bytes));
-        }
+        target.take(&buffer[..length], &mut |bytes| answers.extend_from_slice(bytes));
     }
 }

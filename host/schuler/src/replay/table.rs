@@ -80,10 +80,12 @@ pub fn lag(comparison: &Comparison) -> String {
             } else {
                 ""
             };
-            let digits = (1.0 - lag.sigma_s.log10().floor()).clamp(1.0, 12.0) as usize;
+            let digits = (1.0 - lag.sigma_s.log10().floor()).clamp(1.0, 9.0) as usize;
             format!(
                 "lag of its stamps: {:.digits$} ± {:.digits$} s fits best, taken as {taken}{hint}",
-                lag.lag_s, lag.sigma_s
+                // Zero has no sign for people.
+                (lag.lag_s * 1e9).round() / 1e9 + 0.0,
+                lag.sigma_s
             )
         }
     }

@@ -1,7 +1,8 @@
 //! Charts as parts of an HTML page.
 
 use super::{drift_charts, motion_charts};
-use schuler_report::chart::{Chart, Frame};
+use schuler_report::chart::Chart;
+use schuler_report::grid::Frame;
 use schuler_report::svg::{Svg, escape};
 use schuler_simulator::flight::Instant;
 

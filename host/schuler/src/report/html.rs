@@ -65,7 +65,9 @@ fn headline(flight: &Flight) -> String {
 }
 
 fn drift(flight: &Flight) -> String {
-    format!("<h2>Drift: computed minus true</h2>\n{}", figures::errors(&flight.overview))
+    let note = "Attitude errors are rotations about north, east and down.";
+    let figures = figures::errors(&flight.overview);
+    format!("<h2>Drift: computed minus true</h2>\n<p class=\"quiet\">{note}</p>\n{figures}")
 }
 
 fn first_minute(flight: &Flight) -> String {

@@ -109,7 +109,12 @@ pub fn navigation(scene: &Scene) -> Rows {
     for (name, values, unit, symbol) in [
         ("start off by, position", &start.position_m, 1.0, "m"),
         ("start off by, velocity", &start.velocity_m_s, 1.0, "m/s"),
-        ("start off by, attitude", &start.attitude_rad, units::ARCSECOND, "arcsec"),
+        (
+            "start off by, attitude about north, east, down",
+            &start.attitude_rad,
+            units::ARCSECOND,
+            "arcsec",
+        ),
     ] {
         if *values != [0.0; 3] {
             rows.push(row(name, axes(values, unit, symbol)));

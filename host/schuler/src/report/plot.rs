@@ -2,7 +2,7 @@
 
 use super::{drift_charts, heading};
 use schuler_report::canvas::{Anchor, Canvas, Ink, Lettering};
-use schuler_report::chart::Frame;
+use schuler_report::grid::Frame;
 use schuler_report::raster::Raster;
 use schuler_simulator::flight::{Flight, Instant};
 use std::io;

@@ -3,21 +3,14 @@
 use super::case::{Case, Check, Outcome};
 use super::floor::{SINGLE_UNIT, UNIT};
 use super::flown::built_in;
-use super::split_mix::word;
-use schuler::flight::carried::Carried;
+use schuler::flight::configuration::Configuration;
+use schuler::flight::plan;
+use schuler::link::gap::Policy;
 use schuler::math::compensated::{Accumulate as _, Pair, Plain, TwoFloat};
-use schuler::math::real::{Real as _, Scalar};
-use schuler::record::Record;
-use schuler::solution::Solution;
-use schuler::strapdown::block::window::{H0B4A0, H2B4A2};
-use schuler::strapdown::frame::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::local_level::LocalLevel;
-use schuler::strapdown::limits::StartError;
-use schuler::strapdown::mechanization::Mechanization;
-use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 use schuler_simulator::progress::CaseProgress;
+use schuler_simulator::rounding::split_mix::word;
 use schuler_simulator::source::Source;
+use schuler_simulator::twin::{Beginning, Twin};
 
 const GROUP: &str = "aged";
 
@@ -25,26 +18,17 @@ const GROUP: &str = "aged";
 pub fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
     for (days, long) in [(0.25, false), (10.0, true)] {
-        let mut add = |what: &str, run: fn(f64, &CaseProgress) -> Outcome| {
+        for (what, configuration) in [
+            ("local-level f64", "f64 local-level taylor 2,4,2"),
+            ("earth-fixed f64", "f64 earth-fixed taylor 2,4,2"),
+            ("local-level f32x2", "f32x2 local-level taylor 0,4,0"),
+            ("earth-fixed f32x2", "f32x2 earth-fixed taylor 0,4,0"),
+            ("textbook f64", "f64 local-level textbook"),
+        ] {
             let name = format!("stored after {days} d, {what}");
-            let case = Case::new(GROUP, name, move |p| run(days, p));
+            let case = Case::new(GROUP, name, move |p| stored(days, configuration, p));
             cases.push(if long { case.long() } else { case });
-        };
-        add("local-level f64", |days, p| {
-            stored(days, Strapdown::<LocalLevel<Pair<f64>>, H2B4A2>::new, p)
-        });
-        add("earth-fixed f64", |days, p| {
-            stored(days, Strapdown::<EarthFixed<Pair<f64>>, H2B4A2>::new, p)
-        });
-        add("local-level f32x2", |days, p| {
-            stored(days, Strapdown::<LocalLevel<TwoFloat<f32>>, H0B4A0>::new, p)
-        });
-        add("earth-fixed f32x2", |days, p| {
-            stored(days, Strapdown::<EarthFixed<TwoFloat<f32>>, H0B4A0>::new, p)
-        });
-        add("textbook f64", |days, p| {
-            stored(days, |h| Textbook::<LocalLevelTextbook<f64>>::new(h.hi), p)
-        });
+        }
     }
     for (terms, long) in [(10_000_000, false), (1_000_000_000, true)] {
         let mut add = |what: &str, run: fn(u64, &CaseProgress) -> Outcome| {
@@ -60,61 +44,51 @@ pub fn cases() -> Vec<Case> {
 
 /// Flies for days, stores the state as words in the middle of a block, reads them back into the state of
 /// another flight, and goes on with both.
-fn stored<M>(
-    days: f64,
-    new: impl Fn(Pair<M::Real>) -> Result<M, StartError>,
-    progress: &CaseProgress,
-) -> Outcome
-where
-    M: Mechanization<Real: Scalar, State: Record>,
-{
+fn stored(days: f64, configuration: &str, progress: &CaseProgress) -> Outcome {
     const AFTER: u64 = 10_000;
+    let configuration: Configuration = configuration.parse().map_err(told)?;
     let scene = built_in("sea-state", |scene| scene.duration_s = days * 86400.0)?;
-    let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
+    let source = Source::new(&scene, false).map_err(told)?;
     let before = scene.samples() + 1;
     // The swell repeats itself by and by; a hundred seconds of it, over and over, age as well.
     let cycle: Vec<_> = (1..=5000).map(|n| source.perfect_sample(n)).collect();
-    let interval_s = Pair::narrow(Pair::new(scene.rate_hz).reciprocal());
-    let refused = |error: StartError| error.to_string();
-    let mechanization = new(interval_s).map_err(refused)?;
-    let initial = Solution::narrow(&source.initial(0));
-    let mut original = mechanization.start(&initial).map_err(refused)?;
-    let mut carried = Carried::default();
-    let mut samples = cycle.iter().cycle().map(|sample| carried.narrow(sample));
-    for n in 1..=before {
-        let Some(sample) = samples.next() else { break };
+    let interval_s = Pair::new(scene.rate_hz).reciprocal();
+    let (order, initial) = (plan::HIGHEST_ORDER, source.initial(0));
+    let start = Beginning::new(configuration, order, Policy::Refuse, interval_s, &initial);
+    let mut original = Twin::start(&start).map_err(told)?;
+    let level = original.vertical(0.0, 0.0);
+    let mut samples = (1..).zip(cycle.iter().cycle());
+    for (n, sample) in samples.by_ref().take(before as usize) {
+        let sample = original.narrow(sample);
         // The vertical channel is held, as no flight of days is possible otherwise.
         if n % 4 == 0 {
-            let held = mechanization.hold_vertical(&mut original, M::Real::ZERO, M::Real::ZERO);
-            held.map_err(|why| why.to_string())?;
+            original.hold(&level).map_err(told)?;
         }
-        let taken = mechanization.push(&mut original, sample);
-        taken.map_err(|why| format!("sample {n}: {why}"))?;
-        progress.reach(n, before);
+        original.take_unread(n, &sample).map_err(|why| format!("sample {n}: {why}"))?;
+        progress.reach(n.into(), before);
     }
-    let words = bits(&original);
-    let mut copy = mechanization.start(&initial).map_err(refused)?;
-    let mut rest = words.iter();
-    copy.restore("", &mut |_, word| rest.next().copied().unwrap_or(!word));
-    let mut differing = count(&bits(&copy), &words) + rest.len() as u64;
-    for sample in samples.take(AFTER as usize) {
-        for state in [&mut original, &mut copy] {
-            mechanization.push(state, sample).map_err(|why| why.to_string())?;
+    let words = original.words();
+    let mut copy = Twin::start(&start).map_err(told)?;
+    copy.restore(&words).map_err(told)?;
+    let mut differing = count(&copy.words(), &words);
+    for (n, sample) in samples.take(AFTER as usize) {
+        let sample = original.narrow(sample);
+        for flight in [&mut original, &mut copy] {
+            flight.take_unread(n, &sample).map_err(told)?;
         }
-        differing += count(&bits(&copy), &bits(&original));
+        differing += count(&copy.words(), &original.words());
     }
     let why = "a state read back from its words goes on bit for bit";
     Ok(vec![Check::never("words that differ", differing, why)])
 }
 
-fn bits<S: Record>(state: &S) -> Vec<u64> {
-    let mut words = Vec::new();
-    state.record("", &mut |_, word| words.push(word));
-    words
+fn told(error: impl ToString) -> String {
+    error.to_string()
 }
 
 /// How many of the words differ.
-fn count(a: &[u64], b: &[u64]) -> u64 {
+fn count(a: &[u8], b: &[u8]) -> u64 {
+    let (a, b) = (a.as_chunks::<8>().0, b.as_chunks::<8>().0);
     a.iter().zip(b).filter(|(a, b)| a != b).count() as u64 + a.len().abs_diff(b.len()) as u64
 }
 

@@ -2,9 +2,9 @@
 
 use super::case::{Case, Check, Outcome};
 use super::flown::{fly, fly_forced, scene};
-use super::split_mix::word;
 use schuler::strapdown::block::window::NAMED;
 use schuler_simulator::progress::CaseProgress;
+use schuler_simulator::rounding::split_mix::word;
 use schuler_simulator::scene::Scene;
 
 const GROUP: &str = "plan";

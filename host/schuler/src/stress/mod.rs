@@ -12,12 +12,10 @@
 //! | `place` | poles, antimeridian, equator, heights |
 //! | `numbers` | zeros, subnormals, no rotation |
 //! | `refused` | input that cannot be right |
-//! | `stochastic` | a scalar that rounds at random |
 //! | `rounding` | how many digits are trustworthy |
 //! | `aged` | states stored late, sums of many terms |
 //! | `unresolved` | motion that the sampling does not resolve, noise, coarse steps |
 //! | `fuzz` | random scenes: the plan against every window |
-//! | `split_mix` | random words |
 
 mod aged;
 pub mod case;
@@ -31,15 +29,14 @@ mod place;
 mod refused;
 pub mod residual;
 mod rounding;
-mod split_mix;
-pub mod stochastic;
 mod time;
 mod unresolved;
 
 use crate::cli::StressArgs;
 use case::{Case, Check, number};
 use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::output::{OutputFile, say};
+use schuler_simulator::number::exact;
+use schuler_simulator::output::{self, OutputFile, say};
 use schuler_simulator::progress::CaseProgress;
 use schuler_simulator::simulate::FlightError;
 
@@ -164,24 +161,16 @@ fn line(row: &Row) -> String {
 
 /// All rows as a CSV file. `why` is where a bound comes from, or why a case broke off.
 pub fn csv(rows: &[Row]) -> Vec<u8> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    // Records of one length, to memory: neither can fail.
-    let _ = writer.write_record(["group", "case", "bound", "measured", "unit", "verdict", "why"]);
-    for row in rows {
+    let columns = ["group", "case", "bound", "measured", "unit", "verdict", "why"];
+    let row = |row: &Row| {
         let (bound, measured, unit, why) = match &row.check {
             Ok(Check { bound, measured, unit, why, .. }) => {
-                (digits(bound.value()), digits(*measured), *unit, *why)
+                (exact(bound.value()), exact(*measured), *unit, *why)
             }
             Err(why) => (String::new(), String::new(), "", why.as_str()),
         };
-        let name = row.name();
-        let _ =
-            writer.write_record([row.group, &name, &bound, &measured, unit, row.verdict(), why]);
-    }
-    writer.into_inner().unwrap_or_default()
-}
-
-/// With the digits that bring back its bits.
-fn digits(x: f64) -> String {
-    zmij::Buffer::new().format(x).to_owned()
+        let [group, unit, verdict, why] = [row.group, unit, row.verdict(), why].map(str::to_owned);
+        [group, row.name(), bound, measured, unit, verdict, why]
+    };
+    output::csv(columns, rows.iter().map(row))
 }

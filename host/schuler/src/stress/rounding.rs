@@ -8,78 +8,70 @@
 use super::case::{Case, Check, Outcome};
 use super::floor;
 use super::flown::built_in;
-use super::stochastic::{self, Format, Stochastic};
 use schuler::earth::{EQUATORIAL_GRAVITY, SEMI_MAJOR_AXIS};
-use schuler::flight::carried::Carried;
-use schuler::math::compensated::{Pair, Plain};
+use schuler::math::compensated::Pair;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
-use schuler::output::Output as _;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::block::window::{H2B4A2, Window};
-use schuler::strapdown::frame::Frame;
-use schuler::strapdown::frame::earth_fixed::EarthFixed;
-use schuler::strapdown::frame::local_level::LocalLevel;
-use schuler::strapdown::navigator::Strapdown;
+use schuler::strapdown::block::window;
+use schuler_simulator::navigator::compared::Arithmetic;
 use schuler_simulator::progress::CaseProgress;
+use schuler_simulator::rounding::{Window, fly};
+use schuler_simulator::scene::{Axes, Precision};
 use schuler_simulator::source::Source;
 
 const GROUP: &str = "rounding";
 const SEEDS: u64 = 32;
 
-type Double = Stochastic<f64>;
-type Single = Stochastic<f32>;
+/// The arithmetic and axes of a flight.
+#[derive(Clone, Copy)]
+struct Kind(Arithmetic, Axes);
+
+impl Kind {
+    const ALL: [Self; 6] = [
+        Self(Arithmetic::PlainDouble, Axes::LocalLevel),
+        Self(Arithmetic::Named(Precision::F64), Axes::LocalLevel),
+        Self(Arithmetic::PlainDouble, Axes::EarthFixed),
+        Self(Arithmetic::Named(Precision::F64), Axes::EarthFixed),
+        Self(Arithmetic::PlainSingle, Axes::LocalLevel),
+        Self(Arithmetic::Named(Precision::F32), Axes::LocalLevel),
+    ];
+
+    /// Whether the state is compensated.
+    fn is_compensated(self) -> bool {
+        matches!(self.0, Arithmetic::Named(_))
+    }
+
+    /// Whether positions are of the Earth's size.
+    fn is_earth_sized(self) -> bool {
+        self.1 == Axes::EarthFixed
+    }
+
+    /// An ulp of 1.
+    fn unit(self) -> f64 {
+        if self.0.is_double() { f64::EPSILON } else { f32::EPSILON.into() }
+    }
+}
 
 /// The group's cases.
 pub fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
     for (scene, seconds, long) in [("manoeuvre", 20.0, false), ("paper-perfect", 1800.0, true)] {
-        let mut add = |what: &str, run: fn(&str, f64, &CaseProgress) -> Outcome| {
+        for kind in Kind::ALL {
+            let Kind(arithmetic, axes) = kind;
+            let sums = if kind.is_compensated() { "compensated" } else { "plain" };
+            let what = format!("{axes} {} {sums}", arithmetic.precision());
             let name = format!("{scene} {seconds} s, {what}");
-            let case = Case::new(GROUP, name, move |p| run(scene, seconds, p));
+            let case = Case::new(GROUP, name, move |p| spread(kind, scene, seconds, p));
             cases.push(if long { case.long() } else { case });
-        };
-        add("local-level f64 plain", spread::<LocalLevel<Plain<Double>>, f64>);
-        add("local-level f64 compensated", spread::<LocalLevel<Pair<Double>>, f64>);
-        add("earth-fixed f64 plain", spread::<EarthFixed<Plain<Double>>, f64>);
-        add("earth-fixed f64 compensated", spread::<EarthFixed<Pair<Double>>, f64>);
-        add("local-level f32 plain", spread::<LocalLevel<Plain<Single>>, f32>);
-        add("local-level f32 compensated", spread::<LocalLevel<Pair<Single>>, f32>);
+        }
     }
     cases
 }
 
-/// What the expected spread depends on.
-trait Kind {
-    /// Whether the state is compensated.
-    const COMPENSATED: bool;
-    /// Whether positions are of the Earth's size.
-    const EARTH_SIZED: bool;
-}
-
-macro_rules! kinds {
-    ($($frame:ident $sum:ident $compensated:literal $earth_sized:literal),+) => {
-        $(impl<T: Format<Mask = bool>> Kind for $frame<$sum<Stochastic<T>>> {
-            const COMPENSATED: bool = $compensated;
-            const EARTH_SIZED: bool = $earth_sized;
-        })+
-    };
-}
-
-kinds!(
-    LocalLevel Plain false false,
-    LocalLevel Pair true false,
-    EarthFixed Plain false true,
-    EarthFixed Pair true true
-);
-
 /// Digits of every output, by the spread over the seeds.
-fn spread<F, T>(scene: &str, seconds: f64, progress: &CaseProgress) -> Outcome
-where
-    F: Frame<Real = Stochastic<T>> + Kind,
-    T: Format<Mask = bool>,
-{
+fn spread(kind: Kind, scene: &str, seconds: f64, progress: &CaseProgress) -> Outcome {
     let scene = built_in(scene, |scene| scene.duration_s = seconds)?;
     let source = Source::new(&scene, false).map_err(|error| error.to_string())?;
     let samples: Vec<_> = (1..=scene.samples()).map(|n| source.perfect_sample(n)).collect();
@@ -87,15 +79,14 @@ where
     let interval_s = Pair::new(scene.rate_hz).reciprocal();
     let mut ends = Vec::new();
     for seed in 1..=SEEDS {
-        stochastic::seed(seed);
-        let end = fly::<F, T>(&samples, &initial, interval_s, &mut |n| {
-            progress.reach((seed - 1) * scene.samples() + n, SEEDS * scene.samples());
-        })?;
-        ends.push(end);
+        let Kind(arithmetic, axes) = kind;
+        let mut reach =
+            |n| progress.reach((seed - 1) * scene.samples() + n, SEEDS * scene.samples());
+        ends.push(fly(arithmetic, axes, seed, &samples, &initial, interval_s, &mut reach)?);
     }
     let measured = Five::spread(&ends);
     let size = Five::size(&ends[0]);
-    let bound = Motion::of(&source, &samples, seconds).spread::<F, T>(&ends[0]);
+    let bound = Motion::of(&source, &samples, seconds).spread(kind, &ends[0]);
     // Where every run ends alike, all that a double prints can be trusted.
     let digits = |size: f64, sigma: f64| (size / (2.0 * sigma)).log10();
     let seen = |size: f64, sigma: f64| {
@@ -108,31 +99,6 @@ where
     };
     let names = ["latitude", "longitude", "height", "velocity", "attitude"];
     Ok(names.into_iter().enumerate().map(row).collect())
-}
-
-/// A flight in a type that rounds at random; only its end is read.
-fn fly<F, T>(
-    samples: &[Increment<f64>],
-    initial: &Solution<f64>,
-    interval_s: Pair<f64>,
-    reach: &mut dyn FnMut(u64),
-) -> Result<Solution<f64>, String>
-where
-    F: Frame<Real = Stochastic<T>>,
-    T: Format<Mask = bool>,
-{
-    let strapdown = Strapdown::<F, H2B4A2>::new(Pair::narrow(interval_s));
-    let strapdown = strapdown.map_err(|error| error.to_string())?;
-    let state = strapdown.start(&Solution::narrow(initial));
-    let mut state = state.map_err(|error| error.to_string())?;
-    let mut carried = Carried::default();
-    for (sample, n) in samples.iter().zip(1..) {
-        let taken = strapdown.push(&mut state, carried.narrow(sample));
-        taken.map_err(|why| format!("sample {n}: {why}"))?;
-        reach(n);
-    }
-    strapdown.finish(&mut state);
-    Ok(state.output().wide())
 }
 
 /// Latitude and longitude in rad, height in m, |velocity| in m/s, attitude in rad.
@@ -194,7 +160,7 @@ struct Motion {
 
 impl Motion {
     fn of(source: &Source, samples: &[Increment<f64>], time_s: f64) -> Self {
-        let block = H2B4A2::BLOCK as f64;
+        let block = <Window as window::Window>::BLOCK as f64;
         let rms = |of: &dyn Fn(&Increment<f64>) -> f64| {
             (samples.iter().map(|s| of(s).powi(2)).sum::<f64>() / samples.len() as f64).sqrt()
         };
@@ -212,19 +178,19 @@ impl Motion {
     }
 
     /// The spread to expect of an end, from the sizes of what is rounded and how often.
-    fn spread<F: Kind, T: Format>(&self, end: &Solution<f64>) -> Five {
-        let unit = (T::ONE.next(true) - T::ONE).widen();
+    fn spread(&self, kind: Kind, end: &Solution<f64>) -> Five {
+        let unit = kind.unit();
         let Self { time_s, blocks, angle, velocity, speed } = *self;
         let walk = |roundings: f64| (roundings * blocks / 6.0).sqrt();
         // A plain state is rounded to itself, a compensated one only as its increments are.
         let rounded = |state: f64, increment: f64| {
-            let state = if F::COMPENSATED { 0.0 } else { unit * state * walk(1.0) };
+            let state = if kind.is_compensated() { 0.0 } else { unit * state * walk(1.0) };
             state.hypot(unit * increment * walk(floor::ROUNDINGS))
         };
         // Four components, each counting twice as an angle.
         let attitude = 4.0 * rounded(1.0, 0.5 * angle);
         // Earth-fixed velocities contain the Earth's own.
-        let earth = if F::EARTH_SIZED { 465.0 } else { 0.0 };
+        let earth = if kind.is_earth_sized() { 465.0 } else { 0.0 };
         let force = velocity * blocks / time_s;
         let rounding = 3.0_f64.sqrt() * rounded(speed + earth, velocity);
         // An error of the attitude turns gravity into the level, and only what else is felt into the
@@ -237,7 +203,7 @@ impl Motion {
         let vertical = rounding.hypot(beyond_gravity * attitude * mean) * growth;
         // Earth-fixed axes read a block's time to its leading part: one rounding for all of a run, and of
         // gravity's product with it.
-        let (fallen, falling) = if F::EARTH_SIZED {
+        let (fallen, falling) = if kind.is_earth_sized() {
             let pull = unit * EQUATORIAL_GRAVITY / 6.0_f64.sqrt();
             (pull * (growth - 1.0) / (kappa * kappa), pull * (kappa * time_s).sinh() / kappa)
         } else {
@@ -247,10 +213,10 @@ impl Motion {
         let step = (speed + earth) * time_s / blocks;
         let cosine = position.latitude.cos();
         // Earth-fixed coordinates are printed from their leading parts.
-        let printed = |size: f64| if F::EARTH_SIZED { 2.0 * unit * size } else { 0.0 };
+        let printed = |size: f64| if kind.is_earth_sized() { 2.0 * unit * size } else { 0.0 };
         let sigma = |state: f64, scale: f64, carried: f64| {
             let radius = SEMI_MAJOR_AXIS * scale;
-            let state = if F::EARTH_SIZED { radius } else { state };
+            let state = if kind.is_earth_sized() { radius } else { state };
             rounded(state, step * scale).hypot(carried * scale).hypot(printed(radius))
         };
         Five([

@@ -1,7 +1,6 @@
 //! What a target flies is what `run` flies, whatever happens on the line.
 
 use super::{fly, manner, scene};
-use schuler::link::fleet::{Every, Single};
 use schuler_host::hil::Manner;
 use schuler_host::hil::in_process::InProcess;
 use schuler_simulator::scene::{Algorithm, Axes, Gap, Precision, Scene, Vertical, WindowShape};
@@ -34,7 +33,7 @@ fn scenes() -> Vec<Scene> {
 fn a_target_flies_what_run_flies() {
     for scene in scenes() {
         let run = simulate::fly(&scene, false, &mut |_| Ok(()), &|_| ()).unwrap();
-        let (flown, ended) = fly(&scene, InProcess::<Every>::new(), &Manner::default());
+        let (flown, ended) = fly(&scene, InProcess::every(), &Manner::default());
         let flown = flown.unwrap();
         assert_eq!(flown.digest, run.digest);
         assert_eq!((flown.last, flown.max), (run.last, run.max));
@@ -50,7 +49,7 @@ fn faults_change_no_bit_and_each_is_noticed() {
         let run = simulate::fly(&scene, false, &mut |_| Ok(()), &|_| ()).unwrap();
         let rates = "drop=0.03,duplicate=0.03,reorder=0.03,delay=0.03,truncate=0.03,flip=0.03,\
                      stall=0.02,reboot=0.03";
-        let (flown, ended) = fly(&scene, InProcess::<Every>::new(), &manner(rates, seed, 20));
+        let (flown, ended) = fly(&scene, InProcess::every(), &manner(rates, seed, 20));
         assert_eq!(flown.unwrap().digest, run.digest);
         let tally = ended.tally;
         for trace in tally.traces() {
@@ -66,7 +65,7 @@ fn faults_change_no_bit_and_each_is_noticed() {
 #[test]
 fn the_same_seed_brings_the_same_faults() {
     let scene = scene("paper", 10.0);
-    let tally = |seed| fly(&scene, InProcess::<Every>::new(), &manner("all=0.2", seed, 20)).1.tally;
+    let tally = |seed| fly(&scene, InProcess::every(), &manner("all=0.2", seed, 20)).1.tally;
     assert_eq!(tally(1), tally(1));
     assert_ne!(tally(1), tally(2));
 }
@@ -80,7 +79,7 @@ fn samples_that_are_given_up_are_bridged_alike_or_end_the_flight() {
     for seed in 1..=5 {
         // Nothing is sent again but once: half of what is hit twice is lost.
         let faults = "drop=0.1,delay=0.1,reorder=0.1,flip=0.05,stall=0.02,reboot=0.02";
-        let (flown, ended) = fly(&scene, InProcess::<Single>::new(), &manner(faults, seed, 1));
+        let (flown, ended) = fly(&scene, InProcess::single(), &manner(faults, seed, 1));
         let tally = ended.tally;
         let (samples, flown) = (scene.samples(), flown.unwrap_or_else(|e| panic!("{seed}: {e}")));
         assert_eq!(flown.samples, samples);
@@ -95,7 +94,7 @@ fn samples_that_are_given_up_are_bridged_alike_or_end_the_flight() {
     assert!(bridged > 10);
 
     scene.navigator.gap = Gap::Error;
-    let (flown, _) = fly(&scene, InProcess::<Single>::new(), &manner("drop=0.1", 1, 0));
+    let (flown, _) = fly(&scene, InProcess::single(), &manner("drop=0.1", 1, 0));
     let Err(FlightError::Lost { sample, time_s, .. }) = flown else { panic!("{flown:?}") };
     assert_eq!(time_s, sample as f64 / 20.0);
 }

@@ -33,11 +33,12 @@ fn both(options: &str, link: &str) -> [Value; 2] {
     summaries
 }
 
-/// What no clock and no link has a say in.
+/// What no clock, no link and no command line has a say in.
 fn results(summary: &Value) -> Value {
     let mut summary = summary.clone();
     let keys = summary.as_object_mut().unwrap();
-    keys.retain(|key, _| !["time", "skipped", "link"].contains(&key.as_str()));
+    let others = ["time", "skipped", "link", "kind", "command", "files"];
+    keys.retain(|key, _| !others.contains(&key.as_str()));
     summary
 }
 

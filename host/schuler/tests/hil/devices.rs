@@ -1,11 +1,10 @@
 //! Devices at the end of a line: a TCP connection, and a serial port that is a pseudo-terminal.
 
 use super::{fly, scene};
-use schuler::link::fleet::Every;
-use schuler::link::target::Target;
 use schuler_host::hil::Manner;
 use schuler_host::hil::device::Device;
 use schuler_host::hil::in_process::InProcess;
+use schuler_simulator::twin::application;
 use std::io::{ErrorKind, Read, Write};
 use std::net::TcpListener;
 use std::path::Path;
@@ -13,7 +12,7 @@ use std::thread;
 
 /// A target behind a line, until the line ends.
 fn serve(mut line: impl Read + Write) {
-    let mut target = Target::<Every>::new(1);
+    let mut target = application::every();
     let mut answers = Vec::new();
     target.hello(&mut |bytes| answers.extend_from_slice(bytes));
     let mut buffer = [0; 64];
@@ -24,9 +23,9 @@ fn serve(mut line: impl Read + Write) {
         answers.clear();
         match line.read(&mut buffer) {
             Ok(0) => return,
-            Ok(length) => buffer[..length].iter().for_each(|&byte| {
-                target.take(byte, &mut |bytes| answers.extend_from_slice(bytes));
-            }),
+            Ok(length) => {
+                target.take(&buffer[..length], &mut |bytes| answers.extend_from_slice(bytes));
+            }
             Err(error) if error.kind() == ErrorKind::TimedOut => {}
             Err(_) => return,
         }
@@ -35,7 +34,7 @@ fn serve(mut line: impl Read + Write) {
 
 fn flies_the_same_bits(device: &str) {
     let scene = scene("paper", 5.0);
-    let (alone, _) = fly(&scene, InProcess::<Every>::new(), &Manner::default());
+    let (alone, _) = fly(&scene, InProcess::every(), &Manner::default());
     let channel = Device::parse(device).unwrap().open(Path::new("")).unwrap();
     let (flown, ended) = fly(&scene, channel, &Manner { retries: 5, ..Manner::default() });
     assert_eq!(flown.unwrap().digest, alone.unwrap().digest);

@@ -3,7 +3,6 @@
 use super::{fly, scene};
 use schuler::flight::configuration::{Algorithm, Axes, Configuration, Precision};
 use schuler::link::decoder::Decoder;
-use schuler::link::fleet::Every;
 use schuler::link::frame::{MOST_ENCODED, encode};
 use schuler::link::kind::Kind;
 use schuler::record::Record;
@@ -21,7 +20,7 @@ const BEFORE_SOLUTION: usize = 4 + 4 + 4 * 10 + 4 + 4 + 8 + 8;
 
 /// A channel whose target has one bit wrong in one of its solutions, and does not know it.
 struct Tampered {
-    channel: InProcess<Every>,
+    channel: InProcess,
     decoder: Decoder,
     solutions: u32,
     /// In which solution, and which bit of its payload; none: of the frame's time.
@@ -60,7 +59,7 @@ fn found(precision: Precision, sample: u32, byte: Option<usize>) -> String {
     let mut scene = scene("paper", 5.0);
     scene.navigator.precision = precision;
     let channel = Tampered {
-        channel: InProcess::new(),
+        channel: InProcess::every(),
         decoder: Decoder::default(),
         solutions: 0,
         // The first solution is that of the start.

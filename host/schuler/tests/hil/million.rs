@@ -2,7 +2,6 @@
 
 use super::manner;
 use schuler::flight::configuration::{Algorithm, Axes, Configuration, Precision};
-use schuler::link::fleet::Single;
 use schuler::link::gap::Policy;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
@@ -48,7 +47,7 @@ fn of_a_million_frames_nothing_wrong_is_accepted_and_nothing_right_is_lost() {
     let shape = WindowShape { history: 0, block: 1, lookahead: 0 };
     let start = || navigator::start(&scene, shape, 8, interval_s, &initial).unwrap();
     let (rates, seed) = manner("all=0.01", 1, 20).faults.unwrap();
-    let mut target = Conversation::new(Box::new(InProcess::<Single>::new()), 20);
+    let mut target = Conversation::new(Box::new(InProcess::single()), 20);
     // The first word of a target is unasked.
     target.greet().unwrap();
     let conversation = target.wrap(|target| Box::new(Injector::new(target, rates, seed)));

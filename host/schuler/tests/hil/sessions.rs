@@ -2,7 +2,6 @@
 
 use super::{fly, manner, scene};
 use schuler::link::decoder::Decoder;
-use schuler::link::fleet::Every;
 use schuler::link::frame::{Header, MOST_ENCODED, encode};
 use schuler::link::kind::Kind;
 use schuler_host::hil::Manner;
@@ -18,7 +17,7 @@ use std::time::Duration;
 
 /// A target that stays where it is when a flight ends.
 #[derive(Clone)]
-struct Lasting(Arc<Mutex<InProcess<Every>>>);
+struct Lasting(Arc<Mutex<InProcess>>);
 
 impl Channel for Lasting {
     fn send(&mut self, frame: &[u8]) -> Result<(), Broken> {
@@ -31,7 +30,7 @@ impl Channel for Lasting {
 
 #[test]
 fn a_flight_is_not_charged_with_the_faults_of_the_one_before() {
-    let target = Lasting(Arc::new(Mutex::new(InProcess::new())));
+    let target = Lasting(Arc::new(Mutex::new(InProcess::every())));
     let scene = scene("paper", 5.0);
     for seed in 1..=3 {
         let manner = manner("drop=0.1,flip=0.1,duplicate=0.1,reorder=0.1", seed, 20);
@@ -47,7 +46,7 @@ fn a_flight_is_not_charged_with_the_faults_of_the_one_before() {
 }
 
 /// A line on which no sample gets through.
-struct WithoutSamples(InProcess<Every>);
+struct WithoutSamples(InProcess);
 
 impl Channel for WithoutSamples {
     fn send(&mut self, frame: &[u8]) -> Result<(), Broken> {
@@ -66,7 +65,7 @@ impl Channel for WithoutSamples {
 fn what_both_sides_refuse_is_told_of_both() {
     let mut scene = scene("paper", 1.0);
     scene.navigator.gap = Gap::Bridge;
-    let (flown, _) = fly(&scene, WithoutSamples(InProcess::new()), &Manner::default());
+    let (flown, _) = fly(&scene, WithoutSamples(InProcess::every()), &Manner::default());
     // There is nothing to bridge from.
     let text = flown.unwrap_err().to_string();
     let parts =
@@ -96,7 +95,7 @@ impl Channel for Chatter {
 fn a_line_that_talks_without_end_is_not_listened_to_without_end() {
     // A receiver of satellites; and a target that says unasked, over and over, that it is there.
     let mut hello = Vec::new();
-    InProcess::<Every>::new().receive(&mut hello, Duration::ZERO).unwrap();
+    InProcess::every().receive(&mut hello, Duration::ZERO).unwrap();
     for says in [b"$GPGGA,123519,4807.038,N\r\n".to_vec(), hello] {
         let patience = Duration::from_millis(20);
         let chatter = || Chatter { says: says.clone(), left: 2000 };
@@ -119,7 +118,7 @@ fn greeting() -> Vec<u8> {
 
 /// A target on a line that loses every tenth frame; it notes how long it is waited for in vain.
 struct Lossy {
-    target: InProcess<Every>,
+    target: InProcess,
     frames: u32,
     lost: bool,
     waits: Arc<Mutex<Vec<Duration>>>,
@@ -144,7 +143,7 @@ impl Channel for Lossy {
 fn a_lost_frame_is_waited_for_as_long_as_answers_take() {
     let waits = |timeout| {
         let waits = Arc::new(Mutex::new(Vec::new()));
-        let (target, frames, lost) = (InProcess::new(), 0, false);
+        let (target, frames, lost) = (InProcess::every(), 0, false);
         let line = Lossy { target, frames, lost, waits: waits.clone() };
         let manner = Manner { retries: 5, timeout, ..Manner::default() };
         let (flown, ended) = fly(&scene("paper", 60.0), line, &manner);

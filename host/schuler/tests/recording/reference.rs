@@ -93,7 +93,7 @@ fn drift_is_found_at_the_reference_s_own_times() {
 
 #[test]
 fn late_stamps_are_told_and_taken_out_when_asked() {
-    let flight = Emulated::new("manoeuvre --duration 60");
+    let flight = Emulated::new("manoeuvre --duration 90");
     for lag_s in [0.0837, -3.21, 18.0, 0.0] {
         flight.late("late.csv", lag_s);
         let plain = flight.drift("late.csv", &[]).unwrap_or_else(|e| panic!("{e}"));
@@ -249,6 +249,10 @@ fn a_vertical_is_held_to_what_is_known() {
     let truth = climb.at("truth.csv");
     let held = down(&["--height", text(&truth)]);
     assert!(held.abs() < 0.01, "{held} m");
+    let drift = rows(&climb.at("o/drift.csv"));
+    let sinks = largest(&drift, 6..7);
+    // A window of twelve samples at 0.098 m/s².
+    assert!(sinks < 0.07, "{sinks} m/s");
     // 120 m below, at the end.
     near(down(&["--height", "100"]), 120.0, 0.01);
     near(down(&["--vertical", "held"]), 120.0, 0.01);

@@ -1,4 +1,4 @@
-//! A CSV file of numbers.
+//! CSV files.
 
 use super::file::OutputFile;
 use crate::input::InputError;
@@ -51,4 +51,18 @@ impl NumberTable {
     pub fn finish(self) -> Result<(), InputError> {
         self.file.finish()
     }
+}
+
+/// A CSV file of words and numbers, in memory.
+pub fn csv<const N: usize>(
+    columns: [&str; N],
+    rows: impl IntoIterator<Item = [String; N]>,
+) -> Vec<u8> {
+    let mut lines = csv::Writer::from_writer(Vec::new());
+    // Records of one length, to memory: neither can fail.
+    let _ = lines.write_record(columns);
+    for row in rows {
+        let _ = lines.write_record(row);
+    }
+    lines.into_inner().unwrap_or_default()
 }

@@ -1,8 +1,9 @@
 //! The lag of a reference: how much later than what happened its stamps are.
 //!
 //! A wrong time shows as a position, a velocity and an attitude that are off by their rates times the lag. A
-//! navigator's drift is slow: what a parabola over the whole comparison takes away of each component, or
-//! what its differences from row to row leave, is not the lag's. The lag is the one that leaves least.
+//! navigator's drift is slow: within a minute it is a parabola. What a parabola takes away of each component
+//! in each minute is not the lag's; the lag is the one that leaves least of the rest. A motion that is as slow
+//! as the drift tells none.
 
 use super::reference::Reference;
 use super::track::Track;
@@ -27,10 +28,25 @@ const SEARCHED: usize = 400;
 const FITTED: usize = 5_000;
 /// Fewer rows tell no lag.
 const FEWEST: usize = 12;
+/// Within such a time a drift is a parabola, s.
+const WINDOW_S: f64 = 60.0;
+/// Rows of such a window, at least: it is longer where rows are rare.
+const WINDOW_ROWS: f64 = 16.0;
 /// Passes of the fit: each leaves the square of the error before.
 const PASSES: usize = 3;
 /// A lag that is less well known is none, s.
-const WORST_S: f64 = 1.0;
+const WORST_S: f64 = 0.5;
+/// How far the fit may lead from what the search has found, s.
+const FARTHEST_S: f64 = 0.5;
+/// Rates are taken over twice this time, s.
+const HALF_S: f64 = 0.01;
+/// Of a reference, whose rows may scatter, over twice this time or from row to row.
+const OWN_S: f64 = 0.2;
+/// What moves less is at rest: of position, m/s, of velocity, m/s², and of attitude, rad/s.
+const LEAST_RATE: [f64; 3] = [1e-4, 1e-5, 1e-7];
+/// Rates that are less alike than this, or than chance may make so many, are not those of the same motion.
+const ALIKE: f64 = 0.1;
+const CHANCE: f64 = 5.0;
 
 type Row = [f64; 9];
 
@@ -42,14 +58,11 @@ pub fn of(track: &Track, reference: &Reference) -> Option<Lag> {
         let is_in = |time_s: f64| time_s > first_s + margin_s && time_s < last_s - margin_s;
         rows.iter().filter(|(time_s, _)| is_in(*time_s)).copied().collect()
     };
-    let reach_s = MOST_S.min((last_s - first_s) / 4.0);
+    let reach_s = MOST_S.min(0.4 * (last_s - first_s));
     let coarse = search(track, &inside(reach_s), reach_s)?;
     let rows = inside(coarse.abs() + STEP_S);
-    [false, true]
-        .into_iter()
-        .filter_map(|by_differences| fit(track, &rows, coarse, by_differences))
-        .filter(|lag| lag.sigma_s < WORST_S)
-        .min_by(|a, b| a.sigma_s.total_cmp(&b.sigma_s))
+    let lag = fit(track, &rows, coarse)?;
+    (lag.sigma_s < WORST_S).then_some(lag)
 }
 
 /// Every so many rows.
@@ -93,83 +106,86 @@ fn misfit(off: &[(f64, Row)]) -> f64 {
 }
 
 /// The fit about a first guess.
-fn fit(
-    track: &Track,
-    rows: &[(f64, Solution<f64>)],
-    guess_s: f64,
-    by_differences: bool,
-) -> Option<Lag> {
-    let rows: Vec<_> = thinned(rows, FITTED).collect();
+fn fit(track: &Track, rows: &[(f64, Solution<f64>)], guess_s: f64) -> Option<Lag> {
+    let [(first_s, _), .., (last_s, _)] = rows else { return None };
+    // Each with others on both sides, from which the reference's own rates are.
+    let mean_s = (last_s - first_s) / (rows.len() - 1) as f64;
+    let side = (OWN_S / mean_s).ceil() as usize;
+    let rows: Vec<_> = rows.windows(2 * side + 1).step_by(rows.len().div_ceil(FITTED)).collect();
     let mut lag = Lag { lag_s: guess_s, sigma_s: f64::INFINITY };
     for _ in 0..PASSES {
-        let mut off = Vec::with_capacity(rows.len());
-        let mut rates = Vec::with_capacity(rows.len());
-        for (time_s, truth) in &rows {
+        let mut all = [Vec::new(), Vec::new(), Vec::new()];
+        for row in &rows {
+            let [(before_s, behind), .., (after_s, ahead)] = row else { continue };
+            let Some((time_s, truth)) = row.get(side) else { continue };
             let at = time_s - lag.lag_s;
-            let half_s = 1e-3;
             let (Some(here), Some(before), Some(after)) =
-                (track.at(at), track.at(at - half_s), track.at(at + half_s))
+                (track.at(at), track.at(at - HALF_S), track.at(at + HALF_S))
             else {
                 continue;
             };
-            off.push((*time_s, numbers(&drift(&here, truth))));
-            let step = numbers(&drift(&after, &before));
-            rates.push((*time_s, step.map(|step| step / (2.0 * half_s))));
+            let rate =
+                |after, before, step_s: f64| numbers(&drift(after, before)).map(|x| x / step_s);
+            let own = rate(ahead, behind, after_s - before_s);
+            let computed = rate(&after, &before, 2.0 * HALF_S);
+            for (all, row) in all.iter_mut().zip([numbers(&drift(&here, truth)), computed, own]) {
+                all.push((*time_s, row));
+            }
         }
-        if by_differences {
-            (off, rates) = (differences(&off), differences(&rates));
-        }
-        if off.len() < FEWEST {
+        if all[0].len() < FEWEST {
             return None;
         }
-        let step = step(&rests(&off), &rests(&rates))?;
+        let step = step(&all.map(|rows| rests(&rows)))?;
         lag = Lag { lag_s: lag.lag_s + step.lag_s, sigma_s: step.sigma_s };
     }
-    lag.lag_s.is_finite().then_some(lag)
+    // A fit that leaves what the search has found is none.
+    ((lag.lag_s - guess_s).abs() < FARTHEST_S).then_some(lag)
 }
 
-/// What is left to add to the lag: the computed state at t − lag moves by −rate for every second of it, so
-/// that off = rate·δ + noise, each component with its own.
-fn step(off: &[Row], rates: &[Row]) -> Option<Lag> {
+/// What is left to add to the lag. The computed state at t − lag moves by −rate for every second of it:
+/// off = rate·δ + noise. Whatever is in the computed rate is in what is off, too, so the reference's
+/// own rate r, whose noise is another, weighs them: δ = Σ off·r/Σ rate·r, each component with its own variance.
+fn step([off, rates, own]: &[Vec<Row>; 3]) -> Option<Lag> {
     let count = off.len() as f64;
-    let (mut normal, mut right, mut variance) = (0.0, 0.0, 0.0);
+    let least = ALIKE.max(CHANCE / count.sqrt());
+    let (mut weights, mut sum) = (0.0, 0.0);
     for c in 0..9 {
-        let sum = |f: &dyn Fn(&Row, &Row) -> f64| {
-            off.iter().zip(rates).map(|(o, r)| f(o, r)).sum::<f64>()
-        };
-        let (square, cross) = (sum(&|_, r| r[c] * r[c]), sum(&|o, r| o[c] * r[c]));
-        if !square.is_finite() || !cross.is_finite() || square <= 0.0 {
+        let dot = |a: &[Row], b: &[Row]| a.iter().zip(b).map(|(a, b)| a[c] * b[c]).sum::<f64>();
+        let (computed, reference, both) = (dot(rates, rates), dot(own, own), dot(rates, own));
+        let is_motion = reference > count * LEAST_RATE[c / 3].powi(2);
+        // Not a number where the reference has nothing.
+        if !is_motion || !both.is_finite() || both < least * (computed * reference).sqrt() {
             continue;
         }
-        let own = cross / square;
-        let rest = |o: &Row, r: &Row| o[c] - own * r[c];
-        let noise = sum(&|o, r| rest(o, r).powi(2)) / count;
+        let delta = dot(off, own) / both;
+        let rest: Vec<f64> = off.iter().zip(rates).map(|(o, r)| o[c] - delta * r[c]).collect();
+        let square = rest.iter().map(|x| x * x).sum::<f64>().max(f64::MIN_POSITIVE);
         // Neighbours that are alike tell less than their number says.
-        let pairs = off.windows(2).zip(rates.windows(2));
-        let alike: f64 = pairs.map(|(o, r)| rest(&o[0], &r[0]) * rest(&o[1], &r[1])).sum();
-        let alike = (alike / count / noise).clamp(0.0, 0.999_999);
-        let noise = noise.max(1e-300);
-        normal += square / noise;
-        right += cross / noise;
-        variance += square / noise * (1.0 + alike) / (1.0 - alike);
+        let pairs: f64 = rest.windows(2).map(|pair| pair.iter().product::<f64>()).sum();
+        let alike = (pairs / square).clamp(0.0, 0.999_999);
+        let variance = square / count * reference / (both * both) * (1.0 + alike) / (1.0 - alike);
+        weights += 1.0 / variance;
+        sum += delta / variance;
     }
-    (normal > 0.0).then(|| Lag { lag_s: right / normal, sigma_s: variance.sqrt() / normal })
+    (weights > 0.0).then(|| Lag { lag_s: sum / weights, sigma_s: weights.sqrt().recip() })
 }
 
-/// From row to row.
-fn differences(rows: &[(f64, Row)]) -> Vec<(f64, Row)> {
-    let step = |pair: &[(f64, Row)]| match pair {
-        [(_, a), (t, b)] => (*t, std::array::from_fn(|c| b[c] - a[c])),
-        _ => (0.0, [0.0; 9]),
-    };
-    rows.windows(2).map(step).collect()
-}
-
-/// What a parabola over time leaves of each component.
+/// What a parabola over time leaves of each component, window by window; nothing of windows with few rows.
 fn rests(rows: &[(f64, Row)]) -> Vec<Row> {
+    let [(first_s, _), .., (last_s, _)] = rows else { return vec![[0.0; 9]; rows.len()] };
+    let mean_s = (last_s - first_s) / (rows.len() - 1) as f64;
+    let window_s = WINDOW_S.max(WINDOW_ROWS * mean_s);
+    let window = |time_s: f64| ((time_s - first_s) / window_s) as u64;
+    rows.chunk_by(|a, b| window(a.0) == window(b.0)).flat_map(rest_of_parabola).collect()
+}
+
+/// The same of one window.
+fn rest_of_parabola(rows: &[(f64, Row)]) -> Vec<Row> {
     let (first_s, last_s) = match rows {
-        [(first, _), .., (last, _)] => (*first, *last),
-        _ => return rows.iter().map(|(_, row)| *row).collect(),
+        [(first_s, _), .., (last_s, _)] if 2 * rows.len() > WINDOW_ROWS as usize => {
+            (*first_s, *last_s)
+        }
+        _ => return vec![[0.0; 9]; rows.len()],
     };
     let x = |t: f64| (2.0 * t - first_s - last_s) / (last_s - first_s);
     let mut rests: Vec<Row> = rows.iter().map(|(_, row)| *row).collect();
@@ -182,13 +198,11 @@ fn rests(rows: &[(f64, Row)]) -> Vec<Row> {
             next.iter_mut().zip(earlier).for_each(|(n, e)| *n -= share * e);
         }
         let norm = dot(&next, &next);
-        if norm > 1e-12 {
-            for c in 0..9 {
-                let share = rests.iter().zip(&next).map(|(row, n)| row[c] * n).sum::<f64>() / norm;
-                rests.iter_mut().zip(&next).for_each(|(row, n)| row[c] -= share * n);
-            }
-            basis.push(next);
+        for c in 0..9 {
+            let share = rests.iter().zip(&next).map(|(row, n)| row[c] * n).sum::<f64>() / norm;
+            rests.iter_mut().zip(&next).for_each(|(row, n)| row[c] -= share * n);
         }
+        basis.push(next);
     }
     rests
 }

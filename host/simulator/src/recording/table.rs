@@ -66,7 +66,9 @@ pub fn parse(file: &str, text: &str, columns: &[Column]) -> Result<Table, InputE
             let field = place.and_then(|place| record.get(place));
             row.push(field.map_or(Ok(0.0), |field| number(file, line, column, field))?);
         }
-        if let (Some(before), Some(now)) = (rows.last().and_then(|r| r.first()), row.first())
+        let is_timed = places.first().is_some_and(Option::is_some);
+        if let (true, Some(before), Some(now)) =
+            (is_timed, rows.last().and_then(|r| r.first()), row.first())
             && *now <= *before
         {
             let name = columns.first().map_or("", |column| column.name);

@@ -17,6 +17,11 @@ const LONGEST_STEP_S: f64 = 2.0;
 /// The largest turn of the body in a step, rad.
 const LARGEST_TURN: f64 = 0.2;
 
+/// The fastest turn of north, rad/s, that is followed: at 250 m/s that is 250 m from a pole.
+const FASTEST_MERIDIAN: f64 = 1.0;
+/// Instants at which a path's meridians are looked at.
+const LOOKS: u32 = 4096;
+
 /// A symmetric matrix over position, velocity and attitude, north, east and down of each.
 pub type Covariance = [[f64; 9]; 9];
 
@@ -32,6 +37,8 @@ pub struct Course {
     pub coarse: [bool; SENSORS],
     /// Whether there is nothing to expect but zero.
     pub quiet: bool,
+    /// Whether the path passes a pole so closely that its meridians turn too fast to be followed.
+    pub over_a_pole: bool,
     /// The longest step that resolves the motion, s.
     pub longest_step_s: f64,
     /// The mean error at the start.
@@ -53,6 +60,7 @@ impl Course {
     pub fn new(scene: &Scene) -> Result<Self, CourseError> {
         let trajectory = scene.trajectory.build()?;
         let sources = Sources::new(scene);
+        let random = sources.are_random();
         let initial = &scene.initial_error;
         let mut drift = Drift {
             position_ned: initial.position_m.into(),
@@ -64,14 +72,21 @@ impl Course {
             (drift.position_ned.z, drift.velocity_ned.z) = (0.0, 0.0);
         }
         let shift = MeridianShift::new(&trajectory.at(0.0));
+        let quiet = !random && !sources.are_systematic() && drift == Drift::default();
+        // Harmonic latitudes run on over a pole, and their north with them; that of a path turns round.
+        let turning = match trajectory.path() {
+            Some(_) if !quiet => meridians(&trajectory, scene.duration_s),
+            _ => 0.0,
+        };
         let coarse = steps::coarse(&trajectory, &sources, scene.duration_s);
-        let (random, bound) = (sources.are_random(), trajectory.bound());
+        let bound = trajectory.bound();
         Ok(Self {
             random,
             coarse,
-            quiet: !random && !sources.are_systematic() && drift == Drift::default(),
+            quiet,
+            over_a_pole: !(turning <= FASTEST_MERIDIAN),
             longest_step_s: LONGEST_STEP_S
-                .min(LARGEST_TURN / bound.angular_rate)
+                .min(LARGEST_TURN / bound.angular_rate.max(turning))
                 .min(bound.bandwidth.recip()),
             initial: shift.error(&drift),
             trajectory,
@@ -124,6 +139,18 @@ impl Course {
         let columns = std::array::from_fn::<[f64; 9], 9, _>(|i| rows.map(|row| row[i]));
         (mean, columns.map(|column| array(drift(&column.into()))))
     }
+}
+
+/// How fast north turns about the vertical along a path, at most, rad/s; infinite at a pole.
+fn meridians(trajectory: &impl Trajectory<f64>, duration_s: f64) -> f64 {
+    (0..=LOOKS)
+        .map(|look| {
+            let motion = trajectory.at(duration_s * f64::from(look) / f64::from(LOOKS));
+            // ω_enⁿ about down: −λ̇ sinφ
+            let rate = (motion.longitude.first * motion.latitude.value.sin()).abs();
+            if rate.is_nan() { f64::INFINITY } else { rate }
+        })
+        .fold(0.0, f64::max)
 }
 
 /// Position, velocity, attitude; north, east, down of each.

@@ -37,6 +37,8 @@ pub enum Outside {
     AccelerometerStep(f64),
     /// The sampling jitters.
     Jitter,
+    /// The path goes over a pole.
+    Pole,
     /// Sensors were at their limit, or samples lost.
     Samples,
 }
@@ -64,6 +66,7 @@ impl Display for Outside {
                 write!(f, "accelerometer steps of {step} m/s are coarse against the motion")
             }
             Self::Jitter => f.write_str("the sampling jitters"),
+            Self::Pole => f.write_str("the path goes over a pole, where north turns round"),
             Self::Samples => f.write_str("samples were saturated or lost"),
         }
     }

@@ -67,7 +67,11 @@ impl Theory {
     pub fn new(scene: &Scene) -> Result<Self, CourseError> {
         let course = Course::new(scene)?;
         let march = March::new(&course);
-        let always = (scene.link.jitter_s > 0.0).then_some(Outside::Jitter);
+        let always = if course.over_a_pole {
+            Some(Outside::Pole)
+        } else {
+            (scene.link.jitter_s > 0.0).then_some(Outside::Jitter)
+        };
         let mut theory =
             Self { course, march, outside: None, share: limits::SHARE, always, cubic: None };
         theory.look();

@@ -1,12 +1,15 @@
 //! Runge-Kutta on rates, flown like the navigators on increments.
 
+use super::compared::Arithmetic;
+use super::{Reader, Unavailable};
+use crate::scene::Precision;
+use schuler::math::coarse::Coarse;
 use schuler::math::real::Scalar;
 use schuler::output::Output as _;
 use schuler::sample::Rates;
 use schuler::solution::Solution;
 use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::reference::rk4::{RungeKutta, RungeKuttaState, STEP_SAMPLES};
-use schuler_simulator::navigator::Reader;
 
 /// A navigator on instantaneous rates in flight. The first rates are those of the start.
 pub trait NavigateRates {
@@ -16,8 +19,23 @@ pub trait NavigateRates {
     fn fly_unread(&self, rates: &[Rates<f64>]) -> Box<dyn FnMut() + '_>;
 }
 
+/// Starts it in some arithmetic, of which it compensates nothing, with a sampling interval in seconds.
+pub fn start(
+    arithmetic: Arithmetic,
+    interval_s: f64,
+    initial: &Solution<f64>,
+) -> Result<Box<dyn NavigateRates>, Unavailable> {
+    Ok(match (arithmetic, arithmetic.precision()) {
+        (Arithmetic::Coarse, _) => Box::new(OnRates::<Coarse>::new(interval_s, initial)?),
+        (_, Precision::F64) => Box::new(OnRates::<f64>::new(interval_s, initial)?),
+        (_, Precision::F32 | Precision::F32x2) => {
+            Box::new(OnRates::<f32>::new(interval_s, initial)?)
+        }
+    })
+}
+
 /// The core's Runge-Kutta navigator with its state.
-pub struct OnRates<R: Scalar> {
+struct OnRates<R: Scalar> {
     navigator: RungeKutta<R>,
     initial: Solution<R>,
     state: RungeKuttaState<R>,
@@ -28,8 +46,7 @@ pub struct OnRates<R: Scalar> {
 }
 
 impl<R: Scalar> OnRates<R> {
-    /// With a sampling interval in seconds.
-    pub fn new(interval_s: f64, initial: &Solution<f64>) -> Result<Self, StartError> {
+    fn new(interval_s: f64, initial: &Solution<f64>) -> Result<Self, StartError> {
         let navigator = RungeKutta::new(R::narrow(interval_s))?;
         let initial = Solution::narrow(initial);
         let state = navigator.start(&initial)?;

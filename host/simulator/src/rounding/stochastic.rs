@@ -166,7 +166,7 @@ impl<T: Format> Neg for Stochastic<T> {
 }
 
 impl<T: Format<Mask = bool>> Real for Stochastic<T> {
-    type Mask = bool;
+    schuler::math::real::one_number!();
     type Twin = Both<Self>;
     schuler::math::real::wrapped_constants!(T, Self);
 
@@ -209,15 +209,6 @@ impl<T: Format<Mask = bool>> Real for Stochastic<T> {
     }
     fn upper_half(self) -> Self {
         Self(self.0.upper_half())
-    }
-    fn less(self, other: Self) -> bool {
-        self < other
-    }
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
-    }
-    fn any(mask: bool) -> bool {
-        mask
     }
     fn is_within(self, bound: Self) -> bool {
         self.0.is_within(bound.0)

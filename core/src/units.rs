@@ -1,8 +1,16 @@
-//! The units of files and options, each in radians, metres and seconds.
+//! The units of data sheets and files, each in radians, metres and seconds.
 //!
 //! A value in a unit times the constant is the value in SI.
+//!
+//! ```
+//! use schuler::units::{DEGREE_PER_HOUR, MICRO_G};
+//!
+//! // A gyro's bias of 0.01 °/h, rad/s, and an accelerometer's of 50 µg, m/s².
+//! assert!((0.01 * DEGREE_PER_HOUR - 4.848e-8).abs() < 1e-11);
+//! assert!((50.0 * MICRO_G - 4.903e-4).abs() < 1e-7);
+//! ```
 
-use std::f64::consts::PI;
+use core::f64::consts::PI;
 
 /// 1°, rad.
 pub const DEGREE: f64 = PI / 180.0;

@@ -5,6 +5,7 @@
 //! | `foundation` | arithmetic, the Earth, motion, the perfect unit, alignment |
 //! | `functions` | libm's bits |
 //! | `ulps` | every kernel against high precision |
+//! | `segments` | paths by manoeuvres |
 //! | `sensor_…` | error terms, their noise and their parameters |
 //! | `strapdown` | mechanizations, their windows and their states |
 //! | `steps`, `plan`, `runge_kutta` | what steps leave out, what the plan chooses, the yardstick |
@@ -33,6 +34,7 @@ mod plan;
 mod release;
 mod runge_kutta;
 mod scenes;
+mod segments;
 mod sensor_allan;
 mod sensor_emulator;
 mod sensor_gauss_markov;

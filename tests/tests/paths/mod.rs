@@ -1,6 +1,10 @@
 //! Paths made of polynomials: splines through way-points, logs.
 
+mod fly_by;
+mod log;
+mod smooth;
 mod spline;
+mod through;
 
 use schuler::trajectory::piecewise::piece::Piece;
 
@@ -35,4 +39,11 @@ fn size<const TERMS: usize>(pieces: &[Piece<TERMS>], channel: usize, order: usiz
         [piece.start_s, piece.end_s].map(|t| derivative(piece, channel, order, t - piece.middle_s))
     });
     sizes.fold(0.0, |most, x| most.max(x.abs()))
+}
+
+/// What noise leaves as its residual after smoothing over times: σ√(1 − ½ν/n), ν = 3 + T/(3τ).
+fn left_of_noise(sigma: f64, times_s: &[f64], time_constant_s: f64) -> f64 {
+    let duration = times_s[times_s.len() - 1] - times_s[0];
+    let followed = 3.0 + duration / (3.0 * time_constant_s);
+    sigma * (1.0 - 0.5 * followed / times_s.len() as f64).sqrt()
 }

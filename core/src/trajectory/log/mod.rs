@@ -1,7 +1,7 @@
 //! Logs: positions and, if there are any, attitudes at increasing times, as a path.
 //!
-//! Noise decides how. Without noise the path passes through every row; with noise it is the smoothest one that
-//! leaves the noise as its residual ([`mod@crate::trajectory::spline::smooth`]), for the horizontal position, the height and the attitude
+//! Noise decides how. Without noise the path passes through every row; with noise it is the smoothest one whose
+//! residual is as large as noise leaves it ([`mod@crate::trajectory::spline::smooth`]), for the horizontal position, the height and the attitude
 //! apart. A path through noisy rows accelerates: 2 cm at 10 Hz are 8 m/s², smoothed 0.04 m/s².
 //!
 //! ```

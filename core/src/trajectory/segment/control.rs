@@ -166,6 +166,12 @@ impl Controls {
         !moves && self.each().iter().all(|control| control.is_steady())
     }
 
+    /// Whether a step goes on at a time, s.
+    pub(super) fn steps_at(&self, time_s: f64) -> bool {
+        let mut steps = self.each().into_iter().flat_map(|control| &control.steps);
+        steps.any(|step| step.is_active(time_s))
+    }
+
     /// The longest span of a piece, s, about a time: so short that a polynomial of degree 11 follows the path
     /// to its rounding.
     pub(super) fn longest_span_s(&self, inside_s: f64) -> f64 {

@@ -98,14 +98,30 @@ impl Track {
             let span = (joint - time_s) / count;
             let mut index = 0.0;
             while index < count {
-                let from = time_s + span * index;
-                let flow = Flow::<FLOW_TERMS>::new(&track, &controls.drive(from, inside));
-                track = flow.after(&track, span);
+                track = track.along(controls, time_s + span * index, span, inside);
                 index += 1.0;
             }
             time_s = joint;
         }
         track
+    }
+
+    /// Where controls lead from a time on within a span of a piece, both in s.
+    pub(super) fn along(
+        &self,
+        controls: &Controls,
+        from_s: f64,
+        span_s: f64,
+        inside_s: f64,
+    ) -> Self {
+        // A step of the seventh order bends so much that one series does not reach across a piece.
+        let (count, span_s) =
+            if controls.steps_at(inside_s) { (3, span_s / 3.0) } else { (1, span_s) };
+        (0..count).fold(*self, |track, part| {
+            let from_s = from_s + f64::from(part) * span_s;
+            let flow = Flow::<FLOW_TERMS>::new(&track, &controls.drive(from_s, inside_s));
+            flow.after(&track, span_s)
+        })
     }
 
     /// Into how many pieces a span, s, goes between two joints.
@@ -211,10 +227,14 @@ impl<const N: usize> Flow<N> {
     /// The state after a time, s, brought back to directions of unit length at right angles.
     pub fn after(&self, from: &Track, time_s: f64) -> Track {
         let growth = self.normal_e.map(|n| n.growth(time_s));
-        let normal = from.normal_e.zip(growth, |n, d| Pair::sum(n.hi, n.lo + d));
-        // n̂ ← n̂ − ½n̂(|n̂|² − 1), |n̂|² to twice the digits
-        let excess = (normal.dot(normal) - Pair::new(1.0)).hi;
-        let normal_e = normal.map(|n| Pair::sum(n.hi, n.lo - 0.5 * excess * n.hi));
+        let mut normal_e = from.normal_e;
+        // What stands keeps its place to the last bit.
+        if growth != Vector::ZERO {
+            let normal = normal_e.zip(growth, |n, d| Pair::sum(n.hi, n.lo + d));
+            // n̂ ← n̂ − ½n̂(|n̂|² − 1), |n̂|² to twice the digits
+            let excess = (normal.dot(normal) - Pair::new(1.0)).hi;
+            normal_e = normal.map(|n| Pair::sum(n.hi, n.lo - 0.5 * excess * n.hi));
+        }
         // ĥ ← ĥ − n̂(ĥ·n̂), then the same
         let along = self.along_e.map(|h| h.after(time_s));
         let n = normal_e.map(|n| n.hi);

@@ -24,7 +24,7 @@
 use super::attitude::{AttitudeRule, attitude, rotation};
 use super::control::{Controls, LEAST_SPAN_S, Line};
 use super::fault::{Fault, LEAST_RHUMB_COSINE};
-use super::flow::{FLOW_TERMS, Flow, Track};
+use super::flow::{Flow, Track};
 use super::state::State;
 use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;
@@ -34,6 +34,15 @@ use crate::trajectory::series::Series;
 
 /// Taylor coefficients of all channels at a joint.
 type Ends = [[Pair<f64>; ORDERS]; CHANNELS];
+
+/// From when to when: in the controls' time, and in the path's, rounded.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    from_s: f64,
+    to_s: f64,
+    start_s: f64,
+    end_s: f64,
+}
 
 /// A path in flight.
 #[derive(Clone, Copy, Debug)]
@@ -100,28 +109,54 @@ impl Flyer {
 
     /// The next piece of the controls; none when they end.
     pub fn next_piece(&mut self) -> Option<Result<Piece<TERMS>, Fault>> {
+        let part = self.next_part()?;
+        Some(self.piece(part))
+    }
+
+    /// Flies the rest of the controls without making pieces.
+    pub fn finish(&mut self) {
+        while let Some(part) = self.next_part() {
+            if !self.controls.is_still() {
+                self.track = self.reached(part);
+            }
+        }
+    }
+
+    /// The span of time that is next; none when the controls end.
+    fn next_part(&mut self) -> Option<Part> {
         if self.index >= self.count {
-            let left_s = self.controls.duration_s - self.to_s;
-            if left_s <= LEAST_SPAN_S {
+            if self.controls.duration_s - self.to_s <= LEAST_SPAN_S {
                 self.end();
                 return None;
             }
             self.from_s = self.to_s;
-            self.to_s = self.controls.joint_after(self.from_s);
             self.index = 0.0;
-            self.count = if self.controls.is_still() {
-                self.to_s = self.controls.duration_s;
-                1.0
+            if self.controls.is_still() {
+                (self.to_s, self.count) = (self.controls.duration_s, 1.0);
             } else {
-                self.track.pieces(&self.controls, self.inside_s(), self.to_s - self.from_s)
-            };
+                self.to_s = self.controls.joint_after(self.from_s);
+                let span_s = self.to_s - self.from_s;
+                self.count = self.track.pieces(&self.controls, self.inside_s(), span_s);
+            }
         }
-        Some(self.piece())
+        let end = |index: f64| {
+            let end_s = self.from_s + (self.to_s - self.from_s) * (index / self.count);
+            if index < self.count { end_s } else { self.to_s }
+        };
+        let moment = |time_s: f64| (self.start_s + Pair::new(time_s)).hi;
+        let (from_s, to_s) = (end(self.index), end(self.index + 1.0));
+        self.index += 1.0;
+        Some(Part { from_s, to_s, start_s: moment(from_s), end_s: moment(to_s) })
     }
 
     /// A time at which the polynomials of the controls hold that hold between the joints.
     fn inside_s(&self) -> f64 {
         0.5 * (self.from_s + self.to_s)
+    }
+
+    /// Where a part ends. Its rounded times are the path's: what lies between them is flown.
+    fn reached(&self, part: Part) -> Track {
+        self.track.along(&self.controls, part.from_s, part.end_s - part.start_s, self.inside_s())
     }
 
     /// The controls have ended.
@@ -133,34 +168,23 @@ impl Flyer {
         self.track = self.state.track;
     }
 
-    fn piece(&mut self) -> Result<Piece<TERMS>, Fault> {
-        let part = |index: f64| {
-            let end = self.from_s + (self.to_s - self.from_s) * (index / self.count);
-            if index < self.count { end } else { self.to_s }
-        };
-        let (from_s, to_s) = (part(self.index), part(self.index + 1.0));
-        let moment = |time_s: f64| (self.start_s + Pair::new(time_s)).hi;
-        // The joints' rounded times are the path's: what lies between them is flown.
-        let mut piece = Piece::new(moment(from_s), moment(to_s));
+    fn piece(&mut self, part: Part) -> Result<Piece<TERMS>, Fault> {
+        let mut piece = Piece::new(part.start_s, part.end_s);
         let start = match self.ends {
             Some(ends) => ends,
-            None => self.ends(&self.track, from_s, None)?,
+            None => self.ends(&self.track, part.from_s, None)?,
         };
         if self.controls.is_still() {
             for (coefficient, end) in piece.coefficients.iter_mut().flatten().zip(&start) {
                 *coefficient = end.first().map_or(0.0, |value| value.hi);
             }
             self.ends = Some(start);
-            self.index += 1.0;
             return Ok(piece);
         }
-        let drive = self.controls.drive::<FLOW_TERMS>(from_s, self.inside_s());
-        let flow = Flow::new(&self.track, &drive);
-        let track = flow.after(&self.track, piece.end_s - piece.start_s);
-        let end = self.ends(&track, to_s, Some(&start))?;
+        let track = self.reached(part);
+        let end = self.ends(&track, part.to_s, Some(&start))?;
         join(&mut piece, &start, &end);
         (self.ends, self.track) = (Some(end), track);
-        self.index += 1.0;
         Ok(piece)
     }
 

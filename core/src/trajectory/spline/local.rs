@@ -2,9 +2,8 @@
 //!
 //! The values of a span are symmetric and affine in seven arguments (its blossom f): p(t) = f(t, …, t), and
 //! p⁽ᵏ⁾(t)/k! = C(7, k) f(δ, …, δ, t, …, t) with k times the direction δ in place of a time. de Boor's scheme puts
-//! in one argument after the other. Each entry is a difference of near numbers: positions in double precision
-//! would keep 1e-16 of the Earth's radius and lose 7e-7 m in the higher coefficients, so that the pieces would jump
-//! in velocity at their joints. So all of it is carried in [`Pair`]s, and rounded at the end.
+//! in one argument after the other. All of it is carried in [`Pair`]s from control points that count as exact, and
+//! rounded once: neighbours agree at their joint as far as rounded coefficients can.
 //! Source: Ramshaw, Blossoms are polar forms, *Computer Aided Geometric Design* 6 (1989) 323–358;
 //! de Boor, *A Practical Guide to Splines*, ch. X.
 //!

@@ -7,6 +7,7 @@
 //! assert_eq!(error.to_string(), "way-point 3: its time is not later than that of the one before");
 //! ```
 
+use crate::trajectory::segment::fault::Fault;
 use crate::trajectory::spline::SplineError;
 use crate::trajectory::spline::place::{LARGEST_ACCELERATION, LARGEST_SPEED};
 
@@ -59,6 +60,39 @@ pub enum WaypointError {
         /// The speed, m/s.
         speed_m_s: f64,
     },
+    /// The bank must be above 0 and at most 85°, the blend at least a millisecond.
+    Turn,
+    /// A turn takes more of its legs than there is.
+    TooTight {
+        /// The point at which it turns.
+        index: usize,
+        /// The bank that would do, rad.
+        bank: f64,
+        /// The radius that would do, m.
+        radius_m: f64,
+    },
+    /// A turn fits on its legs with no bank: they are too short for its speed and its blend.
+    NoTurn {
+        /// The point at which it turns.
+        index: usize,
+    },
+    /// A leg has no room for its turns, its change of speed and its climb.
+    Short {
+        /// The point at the end of the leg.
+        index: usize,
+    },
+    /// A rhumb line begins or ends at a pole.
+    Pole {
+        /// The point.
+        index: usize,
+    },
+    /// A manoeuvre of a leg cannot be flown.
+    Leg {
+        /// The point at the end of the leg.
+        index: usize,
+        /// What is wrong with it.
+        fault: Fault,
+    },
     /// At a point or near it the path accelerates by more than [`LARGEST_ACCELERATION`].
     TooSharp {
         /// The point.
@@ -96,6 +130,32 @@ impl core::fmt::Display for WaypointError {
                 f,
                 "way-point {index}: {speed_m_s:.0} m/s since the one before; up to {LARGEST_SPEED:.0} m/s is accepted"
             ),
+            Self::Turn => write!(
+                f,
+                "the bank must be above 0 and at most 85°, the blend at least a millisecond"
+            ),
+            Self::TooTight { index, bank, radius_m } => write!(
+                f,
+                "way-point {index}: the turn does not fit on its legs; a bank of {:.1}°, a radius of {radius_m:.0} m, \
+                 would do",
+                bank.to_degrees()
+            ),
+            Self::NoTurn { index } => write!(
+                f,
+                "way-point {index}: the turn does not fit on its legs, however steep; a lower speed or a shorter \
+                 blend may do"
+            ),
+            Self::Short { index } => write!(
+                f,
+                "way-point {index}: the leg to it is too short for its turns, its change of speed and its climb"
+            ),
+            Self::Pole { index } => {
+                write!(
+                    f,
+                    "way-point {index}: a rhumb line has no course at a pole; a geodesic would do"
+                )
+            }
+            Self::Leg { index, fault } => write!(f, "way-point {index}: the leg to it {fault}"),
             Self::TooSharp { index, acceleration_m_s2 } => write!(
                 f,
                 "way-point {index}: {acceleration_m_s2:.0} m/s² there; up to {LARGEST_ACCELERATION:.0} m/s² is accepted"

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`place`] | whether neighbours can be joined |
 //! | [`mod@through`] | a spline through every point, by times or by speeds |
+//! | [`mod@fly_by`] | legs and turns with a bank, as segments |
 //! | [`fault`] | what is wrong with way-points |
 //!
 //! ```
@@ -23,5 +24,6 @@
 //! ```
 
 pub mod fault;
+pub mod fly_by;
 pub mod place;
 pub mod through;

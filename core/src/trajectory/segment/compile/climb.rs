@@ -10,6 +10,7 @@ use crate::trajectory::segment::fault::{Fault, LARGEST_CLIMB};
 use crate::trajectory::segment::flow::FLOW_TERMS;
 use crate::trajectory::segment::state::State;
 use crate::trajectory::segment::step::{STEEPEST, Step};
+use crate::trajectory::series::Series;
 
 /// The part of gravity that pushing over may take away.
 const LARGEST_PUSH: f64 = 0.9;
@@ -27,30 +28,32 @@ fn plan(speed: f64, height: f64, rate: f64, blend_s: f64) -> Plan {
     // Backwards the nose points down to climb.
     let angle = if (height < 0.0) == (speed < 0.0) { slope } else { -slope };
     let bends = 2.0 * speed * blend_s;
-    let left = height - bends * bend(angle);
+    let left = height - bends * bend(angle).0;
     let steady_s = left / (speed * Real::sin_cos(angle).0);
     if steady_s >= 0.0 {
         return Plan { angle, steady_s };
     }
-    // The bends alone climb further: V T 2I(g) = height, near 2 sin(½g) = height/(V T). Newton's steps
-    // with the slope ½cos(½g), which is I' to some per cent.
+    // The bends alone climb further: V T 2I(g) = height by Newton's steps, from 2 sin(½g) near it.
     let wanted = height / bends;
     let mut angle = 2.0 * Real::atan2(wanted, Real::sqrt(1.0 - wanted * wanted));
-    for _ in 0..16 {
-        angle = angle + (wanted - bend(angle)) / (0.5 * Real::sin_cos(0.5 * angle).1);
+    for _ in 0..8 {
+        let (gain, slope) = bend(angle);
+        angle += (wanted - gain) / slope;
     }
     Plan { angle, steady_s: 0.0 }
 }
 
-/// I(g) = ∫₀¹ sin(g S(x)) dx.
-fn bend(angle: f64) -> f64 {
-    const PARTS: u32 = 12;
-    let step = Step { start_s: 0.0, duration_s: 1.0, change: angle };
+/// I(g) = ∫₀¹ sin(g S(x)) dx, and its slope ∫₀¹ S cos(g S) dx.
+fn bend(angle: f64) -> (f64, f64) {
+    const PARTS: u32 = 24;
+    let step = Step { start_s: 0.0, duration_s: 1.0, change: 1.0 };
     let width = 1.0 / f64::from(PARTS);
-    (0..PARTS).fold(0.0, |sum, part| {
+    (0..PARTS).fold((0.0, 0.0), |(gain, slope), part| {
         let from = f64::from(part) * width;
-        let (sine, _) = step.series::<FLOW_TERMS>(from, from + 0.5 * width).sin_cos();
-        sum + sine.integral().growth(width)
+        let step = step.series::<FLOW_TERMS>(from, from + 0.5 * width);
+        let (sine, cosine) = step.scaled(angle).sin_cos();
+        let grown = |series: Series<FLOW_TERMS>| series.integral().growth(width);
+        (gain + grown(sine), slope + grown(step * cosine))
     })
 }
 

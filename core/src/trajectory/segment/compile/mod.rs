@@ -47,7 +47,6 @@ use super::flow::Track;
 use super::flyer::Flyer;
 use super::state::State;
 use crate::earth::Geodetic;
-use crate::math::compensated::Pair;
 use crate::trajectory::hermite::TERMS;
 use crate::trajectory::piecewise::piece::Piece;
 use check::Known;
@@ -106,7 +105,7 @@ pub struct Span {
 #[derive(Clone, Debug)]
 pub struct Compiler<'a> {
     segments: &'a [Segment],
-    start: State,
+    start: Flyer,
     flyer: Flyer,
     /// Number of segments that have begun.
     begun: usize,
@@ -141,7 +140,7 @@ impl<'a> Compiler<'a> {
         }
         let start = State { speed, ..State::at_rest(Track::new(position, course)) };
         let flyer = Flyer::new(start, 0.0, rule);
-        Ok(Self { segments, start, flyer, begun: 0, failed: false })
+        Ok(Self { segments, start: flyer, flyer, begun: 0, failed: false })
     }
 
     /// The next piece; none after the last, or after an error.
@@ -175,7 +174,7 @@ impl<'a> Compiler<'a> {
 
     /// When each segment is flown and how it ends; the path is followed without making pieces.
     pub fn spans(&self) -> Spans<'a> {
-        Spans { segments: self.segments, state: self.start, time_s: Pair::default(), index: 0 }
+        Spans { segments: self.segments, flyer: self.start, index: 0 }
     }
 
     /// How long the path takes, s: to the end of the last of its [`spans`](Self::spans).
@@ -200,8 +199,7 @@ impl Iterator for Compiler<'_> {
 #[derive(Clone, Debug)]
 pub struct Spans<'a> {
     segments: &'a [Segment],
-    state: State,
-    time_s: Pair<f64>,
+    flyer: Flyer,
     index: usize,
 }
 
@@ -209,19 +207,16 @@ impl Iterator for Spans<'_> {
     type Item = Result<Span, SegmentError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let index = self.index;
+        let (index, flyer) = (self.index, &mut self.flyer);
         let segment = self.segments.get(index)?;
         self.index = index + 1;
-        let controls = match segment.controls(&self.state) {
-            Ok(controls) => controls,
-            Err(fault) => {
-                self.index = self.segments.len();
-                return Some(Err(SegmentError { index: Some(index), fault }));
-            }
-        };
-        let start_s = self.time_s.hi;
-        self.time_s = self.time_s + Pair::new(controls.duration_s);
-        self.state = self.state.after(&controls);
-        Some(Ok(Span { index, start_s, end_s: self.time_s.hi, state: self.state }))
+        let start_s = flyer.time_s();
+        let begun = segment.controls(flyer.state()).and_then(|controls| flyer.begin(controls));
+        if let Err(fault) = begun {
+            self.index = self.segments.len();
+            return Some(Err(SegmentError { index: Some(index), fault }));
+        }
+        flyer.finish();
+        Some(Ok(Span { index, start_s, end_s: flyer.time_s(), state: *flyer.state() }))
     }
 }

@@ -3,12 +3,12 @@
 use schuler::earth::Geodetic;
 use schuler::math::compensated::Pair;
 use schuler::trajectory::Trajectory as _;
-use schuler::trajectory::segment::attitude::AttitudeRule;
-use schuler::trajectory::segment::compile::segment::Segment;
-use schuler::trajectory::segment::compile::{Compiler, SegmentError, Start};
+use schuler::trajectory::segment::compile::{Compiler, SegmentError};
 use schuler::trajectory::segment::control::Controls;
+use schuler::trajectory::segment::flow::Track;
 use schuler::trajectory::segment::state::State;
 use schuler_simulator::course::{Path, Reference};
+use schuler_simulator::scene::route::Manoeuvres;
 
 /// Looks at a segment, over its length.
 const LOOKS: u32 = 16;
@@ -25,19 +25,16 @@ pub fn misfit(path: &Path, points: &[(f64, Geodetic<f64>)]) -> f64 {
 
 /// The largest distance, m, of the pieces from the manoeuvres that they stand for, each of which is followed
 /// by its own series from its beginning.
-pub fn fidelity(
-    path: &Path,
-    start: Start,
-    rule: AttitudeRule,
-    segments: &[Segment],
-) -> Result<f64, SegmentError> {
+pub fn fidelity(path: &Path, flown: &Manoeuvres) -> Result<f64, SegmentError> {
     let path = Reference::Path(path.clone());
-    let compiler = Compiler::new(start, rule, segments)?;
+    let Manoeuvres { start, rule, segments } = flown;
+    let compiler = Compiler::new(*start, *rule, segments)?;
     let mut worst = 0.0f64;
-    let mut state: Option<State> = None;
+    let track = Track::new(start.position, start.course);
+    let mut before = State { speed: start.speed, ..State::at_rest(track) };
     for span in compiler.spans() {
         let span = span?;
-        if let (Some(before), Some(segment)) = (state, segments.get(span.index)) {
+        if let Some(segment) = segments.get(span.index) {
             let failed = |fault| SegmentError { index: Some(span.index), fault };
             let controls = segment.controls(&before).map_err(failed)?;
             for look in 1..=LOOKS {
@@ -49,7 +46,7 @@ pub fn fidelity(
                 worst = worst.max((aside * schuler::earth::SEMI_MAJOR_AXIS).hypot(height));
             }
         }
-        state = Some(span.state);
+        before = span.state;
     }
     Ok(worst)
 }

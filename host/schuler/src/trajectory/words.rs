@@ -46,20 +46,20 @@ pub fn describe(scene: &Scene, portrait: &Portrait) -> String {
 /// What was asked for, and how well it is done.
 fn asked(path: &Path, route: &Route) -> Vec<(&'static str, String)> {
     let metres = |value: f64| Quantity::Position.show(value);
+    let mut lines = Vec::new();
+    // They were compiled before, so that they can be followed.
+    if let Some(Ok(off)) = route.from.manoeuvres().map(|flown| fidelity(path, flown)) {
+        lines.push(("fidelity", format!("{} off the manoeuvres at most", metres(off))));
+    }
     match &route.from {
-        Origin::Segments { start, rule, segments } => {
-            match fidelity(path, *start, *rule, segments) {
-                Ok(off) => vec![("fidelity", format!("{} off the manoeuvres at most", metres(off)))],
-                // They were compiled before.
-                Err(_) => Vec::new(),
-            }
-        }
-        Origin::Waypoints { points, .. } => {
+        Origin::Segments(_) => {}
+        Origin::Waypoints { points, past } => {
             let off = metres(misfit(path, points));
-            vec![("misfit", format!("{off} at most at {} way-points", points.len()))]
+            let name = if past.is_some() { "passes by at" } else { "misfit" };
+            lines.push((name, format!("{off} at most of {} way-points", points.len())));
         }
         Origin::Log { file, rows, outcome } => {
-            let mut lines = vec![("log", format!("{file}, {rows} rows"))];
+            lines.push(("log", format!("{file}, {rows} rows")));
             let parts = [
                 ("smoothed level", outcome.horizontal),
                 ("smoothed height", outcome.vertical),
@@ -76,9 +76,9 @@ fn asked(path: &Path, route: &Route) -> Vec<(&'static str, String)> {
                     lines.push((name, format!("with a time constant of {over} s{limit}")));
                 }
             }
-            lines
         }
     }
+    lines
 }
 
 fn pieces(path: &Path, route: &Route) -> String {
@@ -87,9 +87,9 @@ fn pieces(path: &Path, route: &Route) -> String {
         Path::Blend(path) => (path.pieces().len(), 11),
     };
     let from = match &route.from {
-        Origin::Segments { segments, .. } => format!("{} segments", segments.len()),
-        Origin::Waypoints { points, fly_by: false } => format!("through {} way-points", points.len()),
-        Origin::Waypoints { points, fly_by: true } => format!("past {} way-points", points.len()),
+        Origin::Segments(flown) => format!("{} segments", flown.segments.len()),
+        Origin::Waypoints { points, past: None } => format!("through {} way-points", points.len()),
+        Origin::Waypoints { points, past: Some(_) } => format!("past {} way-points", points.len()),
         Origin::Log { rows, .. } => format!("{rows} rows"),
     };
     let attitude = match route.attitude {

@@ -1,6 +1,7 @@
 //! A flight in words.
 
 use super::fidelity::{fidelity, misfit};
+use crate::report::parameters::made_from;
 use schuler::earth::Geodetic;
 use schuler_simulator::course::Path;
 use schuler_simulator::number::{self, Quantity};
@@ -58,8 +59,7 @@ fn asked(path: &Path, route: &Route) -> Vec<(&'static str, String)> {
             let name = if past.is_some() { "passes by at" } else { "misfit" };
             lines.push((name, format!("{off} at most of {} way-points", points.len())));
         }
-        Origin::Log { file, rows, outcome } => {
-            lines.push(("log", format!("{file}, {rows} rows")));
+        Origin::Log { outcome, .. } => {
             let parts = [
                 ("smoothed level", outcome.horizontal),
                 ("smoothed height", outcome.vertical),
@@ -82,21 +82,11 @@ fn asked(path: &Path, route: &Route) -> Vec<(&'static str, String)> {
 }
 
 fn pieces(path: &Path, route: &Route) -> String {
-    let (count, degree) = match path {
-        Path::Spline(path) => (path.pieces().len(), 7),
-        Path::Blend(path) => (path.pieces().len(), 11),
-    };
-    let from = match &route.from {
-        Origin::Segments(flown) => format!("{} segments", flown.segments.len()),
-        Origin::Waypoints { points, past: None } => format!("through {} way-points", points.len()),
-        Origin::Waypoints { points, past: Some(_) } => format!("past {} way-points", points.len()),
-        Origin::Log { rows, .. } => format!("{rows} rows"),
-    };
     let attitude = match route.attitude {
         "log" => "attitude of the log".to_owned(),
         other => format!("{other} attitude"),
     };
-    format!("{from}, {count} pieces of degree {degree}, {attitude}")
+    format!("{}, {attitude}", made_from(path, route))
 }
 
 fn range(of: &Extremes, unit: f64, symbol: &str) -> String {

@@ -2,8 +2,8 @@
 
 use schuler_simulator::course::Path;
 use schuler_simulator::number;
-use schuler_simulator::scene::terms::{Key, TERMS, Term};
 use schuler_simulator::scene::route::{Origin, Route};
+use schuler_simulator::scene::terms::{Key, TERMS, Term};
 use schuler_simulator::scene::{Channel, GaussMarkov, Mounting, Scene, SensorErrors, Trajectory};
 use schuler_simulator::units::{self, DEGREE};
 use std::f64::consts::TAU;

@@ -98,8 +98,12 @@ pub fn write(
         spots.push(Spot::new(end.time_s, &end.position));
     }
     let rows = spots.len() as u64;
-    let track =
-        Track { name: scene.name.clone(), title: scene.title.clone(), spots, points: points(scene) };
+    let track = Track {
+        name: scene.name.clone(),
+        title: scene.title.clone(),
+        spots,
+        points: points(scene),
+    };
     let text = match format {
         Format::Csv | Format::Geojson => Ok(geojson::text(&track)),
         Format::Kml => kml::text(&track),

@@ -35,7 +35,10 @@ pub fn describe(scene: &Scene, portrait: &Portrait) -> String {
     if let (Some(path), Some(route)) = (&scene.trajectory.path, &scene.trajectory.route) {
         line("path", pieces(path, route));
         if route.attitude == "coordinated" && scene.trajectory.mounting == Default::default() {
-            line("lateral force", format!("at most {} m/s²", number::short(portrait.lateral.size())));
+            line(
+                "lateral force",
+                format!("at most {} m/s²", number::short(portrait.lateral.size())),
+            );
         }
         for (name, value) in asked(path, route) {
             line(name, value);

@@ -33,10 +33,8 @@ pub fn text(track: &Track) -> io::Result<String> {
         waypoint.name = Some((index + 1).to_string());
         waypoints.push(waypoint);
     }
-    let description = format!(
-        "{}. Heights are above the ellipsoid; times count from {START_NAME}.",
-        track.title
-    );
+    let description =
+        format!("{}. Heights are above the ellipsoid; times count from {START_NAME}.", track.title);
     let metadata = Metadata {
         name: Some(track.name.clone()),
         description: Some(description),

@@ -17,9 +17,9 @@ use crate::input::{Complaint, InputError, read_text};
 pub use schuler::flight::configuration::{Algorithm, Axes, Precision};
 pub use schuler::strapdown::block::shape::WindowShape;
 
+use route::Route;
 use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
-use route::Route;
 use std::path;
 use std::sync::Arc;
 

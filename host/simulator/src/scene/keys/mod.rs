@@ -37,9 +37,10 @@ const TABLES: [&Table; 17] = [
 
 /// The reference of all keys, in Markdown.
 pub fn reference() -> String {
-    let mut text = "# Keys of a scene\n\nA scene is a TOML file; `schuler scenes NAME` prints one to start \
+    let mut text =
+        "# Keys of a scene\n\nA scene is a TOML file; `schuler scenes NAME` prints one to start \
                     from. A key that is not listed here is refused, with its file and line.\n"
-        .to_owned();
+            .to_owned();
     for table in TABLES {
         text += "\n";
         text += &table.reference();

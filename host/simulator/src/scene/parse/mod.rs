@@ -5,9 +5,8 @@ mod trajectory;
 
 use super::keys::general as keys;
 use super::{
-    Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Trajectory,
-    Vertical, WindowShape,
-    limits,
+    Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Trajectory, Vertical,
+    WindowShape, limits,
 };
 use crate::flight::Nine;
 use crate::input::document::{Document, Section, Value};

@@ -96,12 +96,7 @@ pub fn lever(section: &Section<'_>, key: &Key) -> Result<Channel, InputError> {
 }
 
 /// A channel whose numbers are in a unit; the range is that of offsets and amplitudes.
-fn get(
-    section: &Section<'_>,
-    key: &Key,
-    unit: f64,
-    range: &Range,
-) -> Result<Channel, InputError> {
+fn get(section: &Section<'_>, key: &Key, unit: f64, range: &Range) -> Result<Channel, InputError> {
     let Some(value) = section.get(key.name) else { return Ok(Channel::default()) };
     if !value.is_table() {
         let constant = Range { accepted: key.accepted(), ..*range };

@@ -110,8 +110,7 @@ pub fn read(root: &Section<'_>, scene: &str) -> Result<Made, InputError> {
     let (mut gram, mut factors) = (vec![[0.0; BAND]; room], vec![[0.0; BAND]; room]);
     let mut right = vec![[0.0; 4]; room];
     let (mut position, mut turning) = (right.clone(), right.clone());
-    let workspace =
-        Workspace { gram: &mut gram, factors: &mut factors, right: &mut right };
+    let workspace = Workspace { gram: &mut gram, factors: &mut factors, right: &mut right };
     let (path, outcome) =
         compile(&rows, &log.times_s, workspace, &mut position, &mut turning).map_err(blame)?;
     let pieces: Vec<_> = (0..path.pieces()).filter_map(|index| path.piece(index)).collect();
@@ -126,8 +125,8 @@ pub fn read(root: &Section<'_>, scene: &str) -> Result<Made, InputError> {
         Lie::Log => Attitude::Stored,
         Lie::Rule(rule) => along(rule),
     };
-    let path = Piecewise::new(pieces, along)
-        .map_err(|error| value.error(unflyable(error, attitude)))?;
+    let path =
+        Piecewise::new(pieces, along).map_err(|error| value.error(unflyable(error, attitude)))?;
     let origin = Origin::Log { file: log.file.clone(), rows: count, outcome };
     Ok(made(Path::Spline(Arc::new(path)), origin, attitude))
 }
@@ -138,7 +137,8 @@ fn rows(section: &Section<'_>, scene: &str) -> Result<Rows, InputError> {
     let name = value.text(keys::FILE.accepted())?;
     let folder = std::path::Path::new(scene).parent().unwrap_or(std::path::Path::new(""));
     let file = folder.join(name).to_string_lossy().into_owned();
-    let text = read_text(&file).map_err(|error| value.error(Complaint::new(error.to_string(), "")))?;
+    let text =
+        read_text(&file).map_err(|error| value.error(Complaint::new(error.to_string(), "")))?;
     let table = table::parse(&file, &text, &COLUMNS).map_err(swapped)?;
     let missing = COLUMNS.iter().zip(&table.is_there).take(NEEDED).find(|(_, there)| !**there);
     if let Some((column, _)) = missing {
@@ -215,9 +215,8 @@ fn blame(error: LogError, log: &Rows, section: &Section<'_>) -> InputError {
             let complaint = Complaint::new("does not come after the row before", "later times");
             log.error(index, "time_s", complaint)
         }
-        LogError::TooStiff { part } | LogError::Undetermined { part } => {
-            section.blame(key(part).name, Complaint::new(error.to_string(), "a smaller noise, or 0"))
-        }
+        LogError::TooStiff { part } | LogError::Undetermined { part } => section
+            .blame(key(part).name, Complaint::new(error.to_string(), "a smaller noise, or 0")),
         other => section.error(Complaint::new(other.to_string(), "")),
     }
 }

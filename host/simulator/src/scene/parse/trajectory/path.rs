@@ -72,7 +72,9 @@ pub fn unflyable(error: PathError, attitude: &str) -> Complaint {
                 number::short(speed),
                 number::parameter(time_s)
             ),
-            format!("from {LEAST_SPEED} m/s up; segments may stand, and a log may bring its angles"),
+            format!(
+                "from {LEAST_SPEED} m/s up; segments may stand, and a log may bring its angles"
+            ),
         ),
         other => Complaint::new(other.to_string(), ""),
     }

@@ -12,9 +12,8 @@ pub fn radians(places: &[Geodetic<f64>], degree: f64) -> Option<Complaint> {
         at.latitude.abs() <= FRAC_PI_2 * degree && at.longitude.abs() <= PI * degree
     };
     let first = places.first()?;
-    let moves = places
-        .iter()
-        .any(|at| (at.latitude, at.longitude) != (first.latitude, first.longitude));
+    let moves =
+        places.iter().any(|at| (at.latitude, at.longitude) != (first.latitude, first.longitude));
     (moves && places.iter().all(small)).then(|| {
         Complaint::new(
             "has all latitudes within ±π/2 and all longitudes within ±π: are they radians?",

@@ -136,7 +136,8 @@ fn segment(section: &Section<'_>) -> Result<Segment, InputError> {
             let amount = if action.name == "turn_deg" {
                 Amount::By(angle)
             } else {
-                let way = section.get(keys::WAY.name).map(|value| value.choice(WAYS)).transpose()?;
+                let way =
+                    section.get(keys::WAY.name).map(|value| value.choice(WAYS)).transpose()?;
                 Amount::To { course: angle, way: way.unwrap_or_default() }
             };
             let (key, number) = one_of(section, [&keys::BANK, &keys::RADIUS])?;

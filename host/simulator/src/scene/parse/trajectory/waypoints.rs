@@ -113,7 +113,8 @@ fn past(
         return Err(list.error(complaint));
     };
     let (attitude, rule) = rule(root)?;
-    let line = section.get(keys::WAYPOINT_LINE.name).map(|value| value.choice(LINES)).transpose()?;
+    let line =
+        section.get(keys::WAYPOINT_LINE.name).map(|value| value.choice(LINES)).transpose()?;
     let plan = FlyBy {
         points: &given.places,
         speeds_m_s,
@@ -248,11 +249,9 @@ fn at(error: WaypointError) -> (Option<usize>, Complaint) {
             format!("takes {} m/s since the point before", short(speed_m_s)),
             "at most 1e5 m/s",
         ),
-        WaypointError::TooSharp { index, acceleration_m_s2 } => (
-            index,
-            format!("takes {} m/s² near it", short(acceleration_m_s2)),
-            "at most 1e5 m/s²",
-        ),
+        WaypointError::TooSharp { index, acceleration_m_s2 } => {
+            (index, format!("takes {} m/s² near it", short(acceleration_m_s2)), "at most 1e5 m/s²")
+        }
         WaypointError::TooTight { index, bank, radius_m } => {
             let (bank, radius) = (short(bank / DEGREE), short(radius_m));
             let accepted = format!("a bank of {bank}° (a radius of {radius} m), or a lower speed");

@@ -1,7 +1,6 @@
 //! Runge-Kutta on rates against the truth: its order in the step, and the figures it is known for.
 
 use schuler::drift::compare::drift;
-use schuler::imu;
 use schuler::math::vector::Vector;
 use schuler::output::Output as _;
 use schuler::strapdown::limits::Rejected;

@@ -29,11 +29,11 @@
 //! ```
 
 use super::displaced::displaced;
+use super::geographic::State;
 use super::harmonic::HarmonicTrajectory;
 use super::kinematics::{Kinematics, euler_rates, to_body};
 use super::{Bound, Jet, Motion, Trajectory, geographic};
 use crate::math::compensated::Pair;
-use crate::math::quaternion::Quaternion;
 use crate::math::vector::Vector;
 use crate::sample::Rates;
 use crate::solution::{Euler, Solution};
@@ -130,14 +130,11 @@ impl<T: Trajectory<f64>, const N: usize> Trajectory<f64> for Carried<T, N> {
     }
 
     fn solution_at(&self, time_s: Pair<f64>) -> Solution<f64> {
-        let unit = self.unit(time_s);
-        geographic::solution(&unit, unit.velocity_e.dot(unit.normal_e))
+        geographic::solution(&State::from(&self.unit(time_s)))
     }
 
     fn initial_at(&self, time_s: Pair<f64>) -> Solution<f64> {
-        let unit = self.unit(time_s);
-        let attitude: Quaternion<f64> = unit.attitude;
-        geographic::initial(unit.normal_e, attitude, &unit, unit.velocity_e.dot(unit.normal_e))
+        geographic::initial(&State::from(&self.unit(time_s)))
     }
 
     fn joint_after(&self, time_s: f64) -> Option<f64> {

@@ -38,28 +38,57 @@ fn velocity_ned(
     Vector::new(c * velocity_e.z - s * outward, velocity_e.y * cl - velocity_e.x * sl, -climb)
 }
 
+/// A state in Earth-fixed axes, as it comes from polynomials.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct State {
+    /// The normal, of any length.
+    pub m: Vector<f64>,
+    /// Height, m.
+    pub altitude: f64,
+    /// Its rate, m/s.
+    pub climb: f64,
+    /// Relative to the Earth, m/s.
+    pub velocity_e: Vector<f64>,
+    /// Body → Earth-fixed axes, of any length.
+    pub attitude: Quaternion<f64>,
+}
+
+impl From<&Kinematics> for State {
+    fn from(at: &Kinematics) -> Self {
+        Self {
+            m: at.normal_e,
+            altitude: at.altitude,
+            climb: at.velocity_e.dot(at.normal_e),
+            velocity_e: at.velocity_e,
+            attitude: at.attitude,
+        }
+    }
+}
+
 /// The printed state, to the digits of a double.
-pub(super) fn solution(at: &Kinematics, climb: f64) -> Solution<f64> {
-    let (latitude, longitude) = angles(at.normal_e);
-    let (ring, meridian) = (Real::sin_cos(latitude), Real::sin_cos(longitude));
+pub(super) fn solution(state: &State) -> Solution<f64> {
+    let State { m, altitude, climb, velocity_e, attitude } = *state;
+    let (latitude, longitude) = angles(m);
+    let across = Real::sqrt(m.x * m.x + m.y * m.y);
+    let length = Real::sqrt(across * across + m.z * m.z);
+    let ring = (m.z / length, across / length);
+    // At a pole the meridian is that of longitude 0.
+    let meridian = if across > 0.0 { (m.y / across, m.x / across) } else { (0.0, 1.0) };
     let half = |x: f64| Real::sin_cos(0.5 * x);
-    let attitude = from_north(half(longitude), half(latitude + FRAC_PI_2), at.attitude);
+    let unit = attitude * (1.0 / Real::sqrt(attitude.dot(attitude)));
+    let attitude = from_north(half(longitude), half(latitude + FRAC_PI_2), unit);
     Solution {
-        position: Geodetic { latitude, longitude, altitude: at.altitude }.map(Pair::new),
-        velocity_ned: velocity_ned(ring, meridian, at.velocity_e, climb).map(Pair::new),
+        position: Geodetic { latitude, longitude, altitude }.map(Pair::new),
+        velocity_ned: velocity_ned(ring, meridian, velocity_e, climb).map(Pair::new),
         attitude: attitude.map(Pair::new),
     }
 }
 
-/// The same to about twice the digits, from a normal and a quaternion of any length.
-pub(super) fn initial(
-    m: Vector<f64>,
-    body_to_earth: Quaternion<f64>,
-    at: &Kinematics,
-    climb: f64,
-) -> Solution<f64> {
-    let (latitude, longitude) = angles(at.normal_e);
-    let m = m.map(Pair::new);
+/// The same to about twice the digits.
+pub(super) fn initial(state: &State) -> Solution<f64> {
+    let State { altitude, climb, velocity_e, .. } = *state;
+    let (latitude, longitude) = angles(state.m);
+    let m = state.m.map(Pair::new);
     let across2 = m.x * m.x + m.y * m.y;
     let across = if across2.hi > 0.0 { across2.sqrt() } else { Pair::default() };
     let (s, c) = Pair::new(latitude).sin_cos();
@@ -71,7 +100,7 @@ pub(super) fn initial(
     let rest =
         if across.hi > 0.0 { (m.y * cl - m.x * sl) * across.reciprocal() } else { Pair::default() };
     let longitude = Pair::sum(longitude, rest.hi);
-    let q = body_to_earth.map(Pair::new);
+    let q = state.attitude.map(Pair::new);
     let square = q.w * q.w + q.v.dot(q.v);
     let unit = q * square.sqrt().reciprocal();
     let half = Pair::new(0.5);
@@ -79,15 +108,15 @@ pub(super) fn initial(
     let attitude = from_north((longitude * half).sin_cos(), (from_south * half).sin_cos(), unit);
     let (ring, meridian) = ((s.hi, c.hi), (sl.hi, cl.hi));
     Solution {
-        position: Geodetic { latitude, longitude, altitude: Pair::new(at.altitude) },
-        velocity_ned: velocity_ned(ring, meridian, at.velocity_e, climb).map(Pair::new),
+        position: Geodetic { latitude, longitude, altitude: Pair::new(altitude) },
+        velocity_ned: velocity_ned(ring, meridian, velocity_e, climb).map(Pair::new),
         attitude,
     }
 }
 
 /// Angles and their derivatives; not a number where they are not defined.
 pub(super) fn motion(at: &Kinematics, climb: f64, climb_change: f64) -> Motion<f64> {
-    let printed = solution(at, climb);
+    let printed = solution(&State { climb, ..State::from(at) });
     let (latitude, longitude) = (printed.position.latitude.hi, printed.position.longitude.hi);
     let ((s, c), meridian) = (Real::sin_cos(latitude), Real::sin_cos(longitude));
     let radii = Radii::at(s, c);

@@ -58,7 +58,7 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
 
 /// The state that navigation starts from, off by what the scene says.
 fn initial(path: &Path, scene: &Scene, source: &Source) -> Result<OutputFile, FlightError> {
-    let start = offset(&source.motion(0).initial(), scene);
+    let start = offset(&source.initial(0), scene);
     let mut file = OutputFile::create(path)?;
     let is_off = scene.initial_error != Default::default();
     let off = if is_off { ", off by its initial_error" } else { "" };

@@ -7,6 +7,7 @@ use schuler::trajectory::segment::compile::Compiler;
 use schuler::trajectory::segment::compile::Start;
 use schuler::trajectory::segment::compile::segment::{Length, Segment};
 use schuler::trajectory::segment::control::{Controls, Line};
+use schuler::trajectory::segment::fault::Fault;
 use schuler::trajectory::segment::flow::Track;
 use schuler::trajectory::waypoints::fault::WaypointError;
 use schuler::trajectory::waypoints::fly_by::{FlyBy, ROOM, fly_by};
@@ -18,7 +19,8 @@ fn at(latitude: f64, longitude: f64, altitude: f64) -> Geodetic<f64> {
 }
 
 fn plan<'a>(points: &'a [Geodetic<f64>], speeds_m_s: &'a [f64]) -> FlyBy<'a> {
-    FlyBy { points, speeds_m_s, bank: 0.5, blend_s: 4.0, line: Line::Geodesic }
+    let (line, rule) = (Line::Geodesic, AttitudeRule::Coordinated);
+    FlyBy { points, speeds_m_s, bank: 0.5, blend_s: 4.0, line, rule }
 }
 
 fn flown(plan: &FlyBy<'_>) -> Result<(Start, Vec<Segment>), WaypointError> {
@@ -146,13 +148,27 @@ fn what_cannot_be_flown_is_refused_with_its_point() {
     assert!(index > 0 && index < 4 && radius_m > 0.0, "{error}");
     assert!(bank > 0.3 && error.to_string().contains("would do"), "{error}");
     let mut bank = bank;
-    for _ in 0..4 {
-        match flown(&FlyBy { bank: bank * 1.0001, speeds_m_s: &fast, ..good }) {
-            Err(WaypointError::TooTight { bank: more, .. }) => bank = more,
-            Err(WaypointError::Short { .. }) | Ok(_) => break,
-            Err(error) => panic!("{error}"),
+    // Each refusal may be of another corner.
+    let flat: Vec<_> = points.iter().map(|at| Geodetic { altitude: 500.0, ..*at }).collect();
+    let tight = FlyBy { points: &flat, speeds_m_s: &fast, ..good };
+    let flies = (0..4).any(|_| match flown(&FlyBy { bank: bank + 1e-6, ..tight }) {
+        Ok(_) => true,
+        Err(WaypointError::TooTight { bank: more, .. }) => {
+            bank = more;
+            false
         }
-    }
+        Err(error) => panic!("{error}"),
+    });
+    assert!(flies);
+
+    // A climb by 20 km on what its turns leave of the leg.
+    let mut steep = points.clone();
+    steep[2].altitude = 21_500.0;
+    let error = refused(FlyBy { points: &steep, speeds_m_s: &[300.0; 5], bank: 1.2, ..good });
+    assert!(
+        matches!(error, WaypointError::Leg { index: 2, fault: Fault::TooSteep { .. } }),
+        "{error}"
+    );
 
     let mut double = points.clone();
     double[3] = Geodetic { altitude: 2000.0, ..points[2] };

@@ -9,6 +9,7 @@ use schuler::trajectory::segment::attitude::AttitudeRule;
 use schuler::trajectory::segment::compile::segment::{Amount, Segment, Tightness};
 use schuler::trajectory::segment::compile::{Compiler, Start};
 use schuler::trajectory::spline::{BAND, EXTRA, smooth::Workspace};
+use schuler::trajectory::wrap;
 use schuler_tests::Numbers;
 
 const RADIUS: f64 = 6.378e6;
@@ -106,7 +107,7 @@ fn smoothing_takes_the_noise_out_of_the_acceleration() {
     assert!(level < 0.45 && vertical < 0.45, "{level} {vertical} m/s²");
 }
 
-/// A flat turn with attitudes, at rows that are not evenly spaced.
+/// A turn with attitudes over the antimeridian and by more than a circle, at rows that are not evenly spaced.
 fn rows_of(count: usize) -> (Vec<f64>, Vec<Geodetic<f64>>, Vec<Euler<f64>>) {
     let mut numbers = Numbers(3);
     let mut t = 0.0_f64;
@@ -116,10 +117,10 @@ fn rows_of(count: usize) -> (Vec<f64>, Vec<Geodetic<f64>>, Vec<Euler<f64>>) {
         rows.0.push(t);
         rows.1.push(Geodetic {
             latitude: 0.7 + 3e-4 * turn.sin(),
-            longitude: 3.1415 + 4e-4 * (1.0 - turn.cos()),
+            longitude: wrap(3.1414 + 4e-4 * (1.0 - turn.cos())),
             altitude: 100.0 + 5.0 * (0.1 * t).sin(),
         });
-        rows.2.push(Euler { roll: 0.3, pitch: 0.02 * (0.2 * t).sin(), yaw: turn });
+        rows.2.push(Euler { roll: 0.3, pitch: 0.02 * (0.2 * t).sin(), yaw: wrap(turn) });
         t += 0.1 + numbers.within(0.03);
     }
     rows
@@ -186,8 +187,8 @@ fn parts_are_smoothed_apart() {
     }
     let mut height = 0.0;
     for (piece, (place, clean)) in path.iter().zip(positions.iter().zip(&places)).skip(20) {
-        for c in 0..3 {
-            assert!(RADIUS * (piece.channel(c, piece.start_s) - place[c]).abs() < 5e-9);
+        for (c, x) in place[..3].iter().enumerate() {
+            assert!(RADIUS * (piece.channel(c, piece.start_s) - x).abs() < 5e-9);
         }
         height += (piece.channel(3, piece.start_s) - clean.altitude).powi(2) / 580.0;
     }

@@ -1,5 +1,7 @@
 //! Paths made of polynomials: splines through way-points, logs.
 
+#![expect(clippy::excessive_precision, reason = "expected values keep their printed digits")]
+
 mod fly_by;
 mod log;
 mod smooth;

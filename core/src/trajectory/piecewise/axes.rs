@@ -77,9 +77,15 @@ impl Turning {
 
     /// A vector of the Earth's axes in these.
     #[inline(always)]
-    pub fn to_body(&self, a: Vector<f64>) -> Vector<f64> {
+    pub fn to_body(self, a: Vector<f64>) -> Vector<f64> {
         let [x, y, z] = self.axes;
         Vector::new(x.dot(a), y.dot(a), z.dot(a))
+    }
+
+    /// The quaternion body → Earth-fixed axes.
+    pub fn quaternion(&self) -> Quaternion<f64> {
+        let [x, y, z] = self.axes;
+        quaternion(x, y, z)
     }
 }
 

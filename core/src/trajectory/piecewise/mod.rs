@@ -33,6 +33,7 @@ pub mod stream;
 
 pub use axes::Attitude;
 
+use super::geographic::State;
 use super::kinematics::{Kinematics, specific_force_e, to_body};
 use super::motion::Motion;
 use super::series::Series;
@@ -223,17 +224,36 @@ impl<const TERMS: usize> Piece<TERMS> {
         }
     }
 
-    /// The normal as it stands, and ḣ and ḧ.
-    fn vertical(&self, time_s: Pair<f64>) -> (Vector<f64>, f64, f64) {
-        let [x, y, z, h] = self.series::<3>(Half::Position, time_s);
-        (Vector::new(x.value(), y.value(), z.value()), h.coefficient(1), 2.0 * h.coefficient(2))
+    /// The state that is printed, as it stands in the polynomials.
+    fn state(&self, attitude: Attitude, time_s: Pair<f64>) -> State {
+        let fixed = |[x, y, z, h]: [Series<2>; 4], velocity_e, attitude| State {
+            m: Vector::new(x.value(), y.value(), z.value()),
+            altitude: h.value(),
+            climb: h.coefficient(1),
+            velocity_e,
+            attitude,
+        };
+        if attitude == Attitude::Stored {
+            let channels = self.series::<2>(Half::Position, time_s);
+            let [x, y, z, h] = channels;
+            let velocity = Place::new(Vector::new(x, y, z), h).position.map(|r| r.coefficient(1));
+            let [s] = turning(&self.series::<1>(Half::Attitude, time_s));
+            return fixed(channels, velocity, s);
+        }
+        let channels = self.series::<4>(Half::Position, time_s);
+        let [x, y, z, h] = channels;
+        let place = Place::new(Vector::new(x, y, z), h);
+        let (velocity, force) = motion::<4, 2>(&place);
+        let turning = Turning::by_rule(attitude, &place, velocity, force);
+        fixed(channels.map(|c| c.first()), velocity.map(|v| v.value()), turning.quaternion())
     }
 }
 
 impl<P: AsRef<[Piece<TERMS>]>, const TERMS: usize> Trajectory<f64> for Piecewise<P, TERMS> {
     fn at_instant(&self, time_s: Pair<f64>) -> Motion<f64> {
         let piece = self.piece(time_s.hi);
-        let (_, climb, change) = piece.vertical(time_s);
+        let [_, _, _, h] = piece.series::<3>(Half::Position, time_s);
+        let (climb, change) = (h.coefficient(1), 2.0 * h.coefficient(2));
         geographic::motion(&piece.kinematics(self.attitude, time_s), climb, change)
     }
 
@@ -247,23 +267,11 @@ impl<P: AsRef<[Piece<TERMS>]>, const TERMS: usize> Trajectory<f64> for Piecewise
     }
 
     fn solution_at(&self, time_s: Pair<f64>) -> Solution<f64> {
-        let piece = self.piece(time_s.hi);
-        let (_, climb, _) = piece.vertical(time_s);
-        geographic::solution(&piece.kinematics(self.attitude, time_s), climb)
+        geographic::solution(&self.piece(time_s.hi).state(self.attitude, time_s))
     }
 
     fn initial_at(&self, time_s: Pair<f64>) -> Solution<f64> {
-        let piece = self.piece(time_s.hi);
-        let (m, climb, _) = piece.vertical(time_s);
-        let at = piece.kinematics(self.attitude, time_s);
-        let attitude = match self.attitude {
-            Attitude::Stored => {
-                let [s] = turning(&piece.series::<1>(Half::Attitude, time_s));
-                s
-            }
-            _ => at.attitude,
-        };
-        geographic::initial(m, attitude, &at, climb)
+        geographic::initial(&self.piece(time_s.hi).state(self.attitude, time_s))
     }
 
     #[inline]

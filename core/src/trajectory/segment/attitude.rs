@@ -59,7 +59,7 @@ pub(super) fn attitude<const N: usize, const M: usize>(
         s = about(s, drive.climb.first(), |v| Vector::new(Series::ZERO, v, Series::ZERO));
     }
     if rule == AttitudeRule::Coordinated {
-        s = s * bank(flow, drive, n, h, right)?;
+        s = product(&s, &bank(flow, drive, n, h, right)?);
     }
     let [roll, pitch, yaw] = *rotation;
     s = about(s, yaw, |v| Vector::new(Series::ZERO, Series::ZERO, v));
@@ -86,7 +86,16 @@ fn about<const M: usize>(
         return s;
     }
     let (sine, cosine) = angle.scaled(0.5).sin_cos();
-    s * Quaternion::new(cosine, axis(sine))
+    product(&s, &Quaternion::new(cosine, axis(sine)))
+}
+
+/// a ⊗ b, once in the code: its 336 products take seven kilobytes on a Cortex-M4F.
+#[inline(never)]
+fn product<const M: usize>(
+    a: &Quaternion<Series<M>>,
+    b: &Quaternion<Series<M>>,
+) -> Quaternion<Series<M>> {
+    *a * *b
 }
 
 /// The bank without lateral specific force.

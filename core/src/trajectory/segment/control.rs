@@ -82,9 +82,19 @@ impl Control {
         self.steps.iter().all(|step| step.change == 0.0)
     }
 
-    /// A bound of its size.
-    pub fn largest(&self) -> f64 {
-        self.steps.iter().fold(self.value.abs(), |sum, step| sum + step.change.abs())
+    /// A bound of its size between the joints around a time, s.
+    pub(super) fn largest(&self, inside_s: f64) -> f64 {
+        let [mut least, mut most] = [self.value; 2];
+        for step in &self.steps {
+            if step.is_active(inside_s) {
+                least += step.change.min(0.0);
+                most += step.change.max(0.0);
+            } else if step.end_s() <= inside_s {
+                least += step.change;
+                most += step.change;
+            }
+        }
+        least.abs().max(most.abs())
     }
 
     /// A bound of its slope, per second, at a time.
@@ -181,13 +191,14 @@ impl Controls {
                 longest = longest.min(step.duration_s / PIECES_PER_STEP);
             }
         }
-        let speed = self.speed.largest();
+        let speed = self.speed.largest(inside_s);
+        let course_rate = self.course_rate.largest(inside_s);
         // The bank is atan(V χ̇/γ), whose series ends at ±i: the steeper the turn, the sooner.
-        let bank = speed * self.course_rate.largest() / EQUATORIAL_GRAVITY;
+        let bank = speed * course_rate / EQUATORIAL_GRAVITY;
         if bank > 1.0 && self.course_rate.steepest(inside_s) > 0.0 {
             longest = longest.min(longest / bank);
         }
-        let mut turn = self.course_rate.largest() + self.climb.steepest(inside_s);
+        let mut turn = course_rate + self.climb.steepest(inside_s);
         for rotation in &self.rotation {
             turn += rotation.steepest(inside_s);
         }

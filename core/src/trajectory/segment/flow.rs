@@ -129,11 +129,12 @@ impl Track {
         let mut longest = controls.longest_span_s(inside_s);
         if controls.line == Line::Rhumb {
             // The course rate grows as 1/cosφ.
-            longest = longest.min(0.1 * SEMI_MAJOR_AXIS * self.cosine() / controls.speed.largest());
+            longest = longest
+                .min(0.1 * SEMI_MAJOR_AXIS * self.cosine() / controls.speed.largest(inside_s));
         }
         let least = span_s / longest * (1.0 - 1e-12);
         // Rounded up.
-        let near = least.round();
+        let near = Real::round(least);
         let count = if near < least { near + 1.0 } else { near };
         count.max(1.0)
     }

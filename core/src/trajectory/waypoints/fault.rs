@@ -7,6 +7,7 @@
 //! assert_eq!(error.to_string(), "way-point 3: its time is not later than that of the one before");
 //! ```
 
+use crate::math::real::Real;
 use crate::trajectory::segment::fault::Fault;
 use crate::trajectory::spline::SplineError;
 use crate::trajectory::spline::place::{LARGEST_ACCELERATION, LARGEST_SPEED};
@@ -136,9 +137,10 @@ impl core::fmt::Display for WaypointError {
             ),
             Self::TooTight { index, bank, radius_m } => write!(
                 f,
-                "way-point {index}: the turn does not fit on its legs; a bank of {:.1}°, a radius of {radius_m:.0} m, \
+                "way-point {index}: the turn does not fit on its legs; a bank of {:.1}°, a radius of {:.0} m, \
                  would do",
-                bank.to_degrees()
+                0.1 * Real::round(10.0 * bank.to_degrees() + 0.5),
+                Real::round(radius_m - 0.5)
             ),
             Self::NoTurn { index } => write!(
                 f,

@@ -75,7 +75,7 @@ pub fn lag(comparison: &Comparison) -> String {
         None => format!("lag of its stamps: taken as {taken}; the motion does not tell"),
         Some(lag) => {
             let off_s = (lag.lag_s - comparison.lag_s).abs();
-            let hint = if off_s > 4.0 * lag.sigma_s && off_s > 1e-6 {
+            let hint = if off_s > 6.0 * lag.sigma_s && off_s > 1e-6 {
                 "; --lag auto takes it out"
             } else {
                 ""

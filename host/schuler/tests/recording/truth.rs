@@ -4,6 +4,7 @@ use super::replay::{apart, program, rows};
 use super::{near, scratch, text};
 use schuler::solution::{Euler, Solution};
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
+use std::f64::consts::FRAC_PI_2;
 use std::fs;
 use std::path::Path;
 
@@ -57,9 +58,12 @@ fn a_start_is_written_to_the_last_digit() {
     assert!(initial.starts_with("# The start of paper: for `schuler replay"), "{initial}");
 
     // Angles of every size, near a pitch of 90°, too: the attitude they lead back to is the same.
-    for (roll, pitch, yaw) in
-        [(0.1, -0.2, 3.0), (-3.1, 1.5, -2.9), (3.0, 1.570796, 0.7), (1.0, -1.5707963267, 2.0)]
-    {
+    for (roll, pitch, yaw) in [
+        (0.1, -0.2, 3.0),
+        (-3.1, 1.5, -2.9),
+        (3.0, FRAC_PI_2 - 1e-6, 0.7),
+        (1.0, 1e-10 - FRAC_PI_2, 2.0),
+    ] {
         let attitude = Euler { roll, pitch, yaw };
         let solution = Solution { attitude: attitude.quaternion_pair(), ..Default::default() };
         let again = NavigationRow::start(0.0, &solution).solution();

@@ -223,8 +223,7 @@ impl<'a> Value<'a> {
         let accepted = choices(names);
         let text = self.text(&accepted)?;
         let found = names.iter().find(|(name, _)| *name == text).map(|(_, choice)| *choice);
-        found
-            .ok_or_else(|| self.error(Complaint::new(format!("there is no \"{text}\""), accepted)))
+        found.ok_or_else(|| self.error(Complaint::new(format!("there is no \"{text}\""), accepted)))
     }
 
     /// The elements of an array.

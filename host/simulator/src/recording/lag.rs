@@ -15,7 +15,8 @@ use schuler::solution::Solution;
 pub struct Lag {
     /// s; positive where stamps are late.
     pub lag_s: f64,
-    /// Standard deviation, s, by the scatter of what is left.
+    /// Standard deviation, s, by the scatter of what is left. Errors that come and go with the motion itself,
+    /// as those of a bias in a body that turns, are not in it.
     pub sigma_s: f64,
 }
 
@@ -32,6 +33,8 @@ const FEWEST: usize = 12;
 const WINDOW_S: f64 = 60.0;
 /// Rows of such a window, at least: it is longer where rows are rare.
 const WINDOW_ROWS: f64 = 16.0;
+/// Errors that are no further apart may be alike, s.
+const ALIKE_S: f64 = 20.0;
 /// Passes of the fit: each leaves the square of the error before.
 const PASSES: usize = 3;
 /// A lag that is less well known is none, s.
@@ -111,7 +114,8 @@ fn fit(track: &Track, rows: &[(f64, Solution<f64>)], guess_s: f64) -> Option<Lag
     // Each with others on both sides, from which the reference's own rates are.
     let mean_s = (last_s - first_s) / (rows.len() - 1) as f64;
     let side = (OWN_S / mean_s).ceil() as usize;
-    let rows: Vec<_> = rows.windows(2 * side + 1).step_by(rows.len().div_ceil(FITTED)).collect();
+    let thinning = rows.len().div_ceil(FITTED);
+    let rows: Vec<_> = rows.windows(2 * side + 1).step_by(thinning).collect();
     let mut lag = Lag { lag_s: guess_s, sigma_s: f64::INFINITY };
     for _ in 0..PASSES {
         let mut all = [Vec::new(), Vec::new(), Vec::new()];
@@ -132,10 +136,12 @@ fn fit(track: &Track, rows: &[(f64, Solution<f64>)], guess_s: f64) -> Option<Lag
                 all.push((*time_s, row));
             }
         }
-        if all[0].len() < FEWEST {
+        let count = all[0].len();
+        if count < FEWEST {
             return None;
         }
-        let step = step(&all.map(|rows| rests(&rows)))?;
+        let alike = (ALIKE_S / mean_s / thinning as f64).ceil() as usize;
+        let step = step(&all.map(|rows| rests(&rows)), alike.min(count / 4))?;
         lag = Lag { lag_s: lag.lag_s + step.lag_s, sigma_s: step.sigma_s };
     }
     // A fit that leaves what the search has found is none.
@@ -145,10 +151,11 @@ fn fit(track: &Track, rows: &[(f64, Solution<f64>)], guess_s: f64) -> Option<Lag
 /// What is left to add to the lag. The computed state at t − lag moves by −rate for every second of it:
 /// off = rate·δ + noise. Whatever is in the computed rate is in what is off, too, so the reference's
 /// own rate r, whose noise is another, weighs them: δ = Σ off·r/Σ rate·r, each component with its own variance.
-fn step([off, rates, own]: &[Vec<Row>; 3]) -> Option<Lag> {
+fn step([off, rates, own]: &[Vec<Row>; 3], alike: usize) -> Option<Lag> {
     let count = off.len() as f64;
     let least = ALIKE.max(CHANCE / count.sqrt());
-    let (mut weights, mut sum) = (0.0, 0.0);
+    // Over all components, each by its weight: what they say, and what scatters in it.
+    let (mut weights, mut sum, mut scatter) = (0.0, 0.0, vec![0.0; off.len()]);
     for c in 0..9 {
         let dot = |a: &[Row], b: &[Row]| a.iter().zip(b).map(|(a, b)| a[c] * b[c]).sum::<f64>();
         let (computed, reference, both) = (dot(rates, rates), dot(own, own), dot(rates, own));
@@ -158,16 +165,25 @@ fn step([off, rates, own]: &[Vec<Row>; 3]) -> Option<Lag> {
             continue;
         }
         let delta = dot(off, own) / both;
-        let rest: Vec<f64> = off.iter().zip(rates).map(|(o, r)| o[c] - delta * r[c]).collect();
-        let square = rest.iter().map(|x| x * x).sum::<f64>().max(f64::MIN_POSITIVE);
-        // Neighbours that are alike tell less than their number says.
-        let pairs: f64 = rest.windows(2).map(|pair| pair.iter().product::<f64>()).sum();
-        let alike = (pairs / square).clamp(0.0, 0.999_999);
-        let variance = square / count * reference / (both * both) * (1.0 + alike) / (1.0 - alike);
-        weights += 1.0 / variance;
-        sum += delta / variance;
+        let parts = off.iter().zip(rates).zip(own);
+        let parts: Vec<f64> = parts.map(|((o, r), own)| (o[c] - delta * r[c]) * own[c]).collect();
+        // By its own variance, spread/both².
+        let weight = both / spread(&parts, alike).max(f64::MIN_POSITIVE);
+        weights += weight * both;
+        sum += weight * both * delta;
+        scatter.iter_mut().zip(&parts).for_each(|(scatter, part)| *scatter += weight * part);
     }
-    (weights > 0.0).then(|| Lag { lag_s: sum / weights, sigma_s: weights.sqrt().recip() })
+    // What is off in one component is off in others, too: the variance is that of all together.
+    let sigma_s = spread(&scatter, alike).max(0.0).sqrt() / weights;
+    (weights > 0.0).then(|| Lag { lag_s: sum / weights, sigma_s })
+}
+
+/// The variance of a sum whose parts may be like their neighbours, as far as so many away: Σ_j w_j Σ_k s_k s_(k+j)
+/// with w_j falling to zero along a straight line (Newey and West 1987), which is never negative.
+fn spread(parts: &[f64], alike: usize) -> f64 {
+    let with = |j: usize| parts.iter().zip(parts.iter().skip(j)).map(|(a, b)| a * b).sum::<f64>();
+    let weight = |j: usize| 2.0 * (1.0 - j as f64 / (alike + 1) as f64);
+    with(0) + (1..=alike).map(|j| weight(j) * with(j)).sum::<f64>()
 }
 
 /// What a parabola over time leaves of each component, window by window; nothing of windows with few rows.

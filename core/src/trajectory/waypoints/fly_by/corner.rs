@@ -40,7 +40,7 @@ pub(super) struct Lead {
 impl Lead {
     /// No turn.
     pub const NONE: Self =
-        Self { tangent: 0.0, radius: 0.0, blends: 0.0, speed: 0.0, gravity: 0.0 };
+        Self { tangent: 0.0, radius: 0.0, blends: 0.0, speed: 0.0, gravity: 1.0 };
 
     /// Of a turn by an angle, rad, at a speed, m/s, and a rate, rad/s.
     pub fn new(angle: f64, speed: f64, rate: f64, blend_s: f64, gravity: f64) -> Self {

@@ -10,6 +10,8 @@ use super::{FlyBy, WaypointError, lead};
 use crate::earth::{FLATTENING, SEMI_MAJOR_AXIS};
 use crate::math::real::Real;
 use crate::math::vector::Vector;
+use crate::trajectory::segment::attitude::AttitudeRule;
+use crate::trajectory::segment::compile::check::Known;
 use crate::trajectory::segment::compile::segment::{Length, Pace, Segment};
 use crate::trajectory::segment::control::Line;
 use crate::trajectory::segment::flow::Track;
@@ -33,6 +35,7 @@ pub(super) struct Leg {
     /// The far point's place.
     pub target: Track,
     line: Line,
+    rule: AttitudeRule,
     accelerate: Option<Segment>,
     climb: Option<Segment>,
 }
@@ -76,7 +79,7 @@ impl Leg {
             climb = Some(Segment::Climb { height, rate, blend_s });
         }
         let target = Track::new(to, 0.0);
-        Ok(Self { index, target, line: plan.line, accelerate, climb })
+        Ok(Self { index, target, line: plan.line, rule: plan.rule, accelerate, climb })
     }
 
     /// The changes of speed and height.
@@ -87,7 +90,16 @@ impl Leg {
     /// After the changes of speed and height.
     pub fn before(&self, first: &State) -> Result<State, WaypointError> {
         let changes = self.changes().into_iter().flatten();
-        changes.into_iter().try_fold(*first, |state, segment| self.flown(&state, &segment))
+        changes.into_iter().try_fold(*first, |state, segment| self.checked(&state, &segment))
+    }
+
+    /// After a segment, whose numbers must be possible.
+    pub fn checked(&self, state: &State, segment: &Segment) -> Result<State, WaypointError> {
+        let altitude = state.track.altitude.hi;
+        let known = Known { speed: state.speed, altitude, rule: self.rule };
+        let failed = |fault| WaypointError::Leg { index: self.index, fault };
+        segment.check(known).map_err(failed)?;
+        self.flown(state, segment)
     }
 
     /// After a segment.

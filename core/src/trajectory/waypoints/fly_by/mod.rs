@@ -24,6 +24,7 @@
 //!     bank: 0.5,
 //!     blend_s: 4.0,
 //!     line: Line::Geodesic,
+//!     rule: AttitudeRule::Coordinated,
 //! };
 //! let mut segments = [Segment::Hold { duration_s: 0.0 }; 2 * ROOM];
 //! let (start, count) = fly_by(&plan, &mut segments)?;
@@ -45,6 +46,7 @@ use super::fault::WaypointError;
 use super::place::check_places;
 use crate::earth::{Geodetic, gravity};
 use crate::math::real::Real;
+use crate::trajectory::segment::attitude::AttitudeRule;
 use crate::trajectory::segment::compile::Start;
 use crate::trajectory::segment::compile::segment::{Length, Segment, Tightness};
 use crate::trajectory::segment::control::Line;
@@ -57,6 +59,9 @@ use leg::{Leg, heading_between};
 
 /// Segments of a leg at most: a change of speed, a climb, a straight line, a turn.
 pub const ROOM: usize = 4;
+
+/// The part of a leg that its turns may take together.
+const MOST_TURNS: f64 = 0.95;
 
 /// Way-points and how they are flown.
 #[derive(Clone, Copy, Debug)]
@@ -71,6 +76,8 @@ pub struct FlyBy<'a> {
     pub blend_s: f64,
     /// What legs are. Changes of speed and of height follow a geodesic either way.
     pub line: Line,
+    /// How body axes lie along the path; a coordinated flight must not push over into weightlessness.
+    pub rule: AttitudeRule,
 }
 
 /// The start and the number of segments of a path around way-points; `segments` has room for [`ROOM`] per leg.
@@ -118,10 +125,10 @@ pub fn fly_by(plan: &FlyBy<'_>, segments: &mut [Segment]) -> Result<(Start, usiz
         }
         let straight = Segment::Straight { length: Length::Distance(straight), line: plan.line };
         put(straight);
-        state = leg.flown(&before, &straight)?;
+        state = leg.checked(&before, &straight)?;
         if let Some(turn) = turn {
             put(turn);
-            state = leg.flown(&state, &turn)?;
+            state = leg.checked(&state, &turn)?;
         }
     }
     start.map(|start| (start, count)).ok_or(WaypointError::TooFew)
@@ -129,7 +136,7 @@ pub fn fly_by(plan: &FlyBy<'_>, segments: &mut [Segment]) -> Result<(Start, usiz
 
 /// Checks all that does not depend on the way.
 fn check(plan: &FlyBy<'_>) -> Result<(), WaypointError> {
-    let FlyBy { points, speeds_m_s, bank, blend_s, line } = *plan;
+    let FlyBy { points, speeds_m_s, bank, blend_s, line, .. } = *plan;
     check_places(points)?;
     if speeds_m_s.len() != points.len() {
         return Err(WaypointError::Count { needed: points.len() });
@@ -162,7 +169,7 @@ fn check(plan: &FlyBy<'_>) -> Result<(), WaypointError> {
     check_turns(plan)
 }
 
-/// Checks that the turns at both ends of each leg fit on it.
+/// Checks that the turns at both ends of each leg fit on it, with a little left.
 fn check_turns(plan: &FlyBy<'_>) -> Result<(), WaypointError> {
     let mut last = Lead::NONE;
     for index in 1..plan.points.len() {
@@ -170,14 +177,17 @@ fn check_turns(plan: &FlyBy<'_>) -> Result<(), WaypointError> {
         let (Some(from), Some(to)) = (plan.points.get(index - 1), plan.points.get(index)) else {
             break;
         };
-        let length = distance(*from, *to);
+        let length = MOST_TURNS * distance(*from, *to);
         if last.length() + next.length() > length {
             // The turn that needs more of the leg is to change.
             let (index, lead) =
                 if last.length() > next.length() { (index - 1, last) } else { (index, next) };
-            let tangents = last.tangent + next.tangent;
-            let radius = (length - last.blends - next.blends) / tangents;
-            let bank = Real::atan2(lead.speed * lead.speed, lead.gravity * radius);
+            // Σ tan ½θ v²/(g tan bank) = what rolling leaves of the leg
+            let level = |lead: Lead| lead.tangent * lead.speed * lead.speed / lead.gravity;
+            let bent = length - last.blends - next.blends;
+            let bank = Real::atan2(level(last) + level(next), bent);
+            let radius =
+                lead.speed * lead.speed * bent / (lead.gravity * (level(last) + level(next)));
             // Not even the steepest turn fits, or the radius would be negative.
             if !(radius > 0.0 && bank <= LARGEST_BANK) {
                 return Err(WaypointError::NoTurn { index });

@@ -117,6 +117,7 @@ fn past(
         section.get(keys::WAYPOINT_LINE.name).map(|value| value.choice(LINES)).transpose()?;
     let plan = FlyBy {
         points: &given.places,
+        rule,
         speeds_m_s,
         bank: section.read(&keys::WAYPOINT_BANK)?.unwrap_or(BANK_DEG) * DEGREE,
         blend_s: section.read(&keys::WAYPOINT_BLEND)?.unwrap_or(BLEND_S),

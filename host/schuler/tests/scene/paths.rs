@@ -33,10 +33,10 @@ fn metres_are_angles_of_the_local_radii() {
     let east = (radii.prime_vertical + 3000.0) * cosine;
     close(motion.longitude.rate, 300.0 / east);
     close(motion.longitude.offset, 100f64.to_radians() + 30.0 / east);
-    // At the start it moves with the speed that is asked for.
+    // It moves with the speed that is asked for, but for 320 m to the north, where meridians are nearer.
     let start = motion.build().expect("it has room").at(1.25);
     let v = start.velocity_ned();
-    assert!((v.x - 200.0).abs() < 0.01 && (v.y - 300.0).abs() < 0.01, "{v:?}");
+    assert!((v.x - 200.0).abs() < 0.01 && (v.y - 300.0).abs() < 0.02, "{v:?}");
     let pole = "[trajectory]\nlatitude_deg = 90\neast_m = 1\n";
     expect_more(pole, 5, "trajectory.east_m", &["at a pole", "off the pole"]);
 }
@@ -155,7 +155,7 @@ fn way_points_that_cannot_be_flown() {
     refused(&[A, untimed], "", 6, ".points[1].time_s", &["missing", "or a speed"]);
     refused(&[A, B], "bank_deg = 9", 8, ".bank_deg", &["fly-by"]);
     let slow = "latitude_deg = 45.0000001, longitude_deg = 10, altitude_m = 9, time_s = 60";
-    refused(&[A, slow], "", 6, ".points[1]", &["too slowly", "0.1 m/s", "coordinated"]);
+    refused(&[A, slow], "", 5, ".points[0]", &["too slowly", "0.1 m/s", "coordinated"]);
     let radians = [
         "latitude_deg = 0.7854, longitude_deg = 1.7453, altitude_m = 9, time_s = 0",
         "latitude_deg = 0.7855, longitude_deg = 1.7455, altitude_m = 9, time_s = 60",

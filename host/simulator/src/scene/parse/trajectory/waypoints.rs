@@ -125,7 +125,10 @@ fn past(
     };
     let blame = |error| blame(error, &given.items, list);
     let mut segments = vec![Segment::Hold { duration_s: 0.0 }; ROOM * given.places.len()];
-    let (start, count) = fly_by(&plan, &mut segments).map_err(blame)?;
+    let (start, count) = match fly_by(&plan, &mut segments) {
+        Ok(flown) => flown,
+        Err(error) => return Err(blame(wide_enough(error, &plan, &mut segments))),
+    };
     segments.truncate(count);
     let failed = |error: SegmentError| list.error(complaint(error.fault));
     let compiler = Compiler::new(start, rule, &segments).map_err(failed)?;
@@ -140,6 +143,24 @@ fn past(
     let points = given.places.iter().map(|place| (nearest(&path, place), *place)).collect();
     let origin = Origin::Waypoints { past: Some(Manoeuvres { start, rule, segments }), points };
     Ok(made(path, origin, attitude))
+}
+
+/// The same error with a bank that does for both legs of its point: each leg tells its own.
+fn wide_enough(first: WaypointError, plan: &FlyBy<'_>, segments: &mut [Segment]) -> WaypointError {
+    let mut told = first;
+    while let WaypointError::TooTight { index, bank, .. } = told {
+        // Rounded up as it is told.
+        let plan = FlyBy { bank: 1.001 * bank, ..*plan };
+        match fly_by(&plan, segments) {
+            Err(next @ WaypointError::TooTight { index: other, bank: more, .. })
+                if other == index && more > plan.bank =>
+            {
+                told = next;
+            }
+            _ => break,
+        }
+    }
+    told
 }
 
 /// When a path is nearest to a place, s.
@@ -254,7 +275,7 @@ fn at(error: WaypointError) -> (Option<usize>, Complaint) {
             (index, format!("takes {} m/s² near it", short(acceleration_m_s2)), "at most 1e5 m/s²")
         }
         WaypointError::TooTight { index, bank, radius_m } => {
-            let (bank, radius) = (short(bank / DEGREE), short(radius_m));
+            let (bank, radius) = (short(1.001 * bank / DEGREE), short(radius_m));
             let accepted = format!("a bank of {bank}° (a radius of {radius} m), or a lower speed");
             let what = "turns wider than its legs allow";
             return (Some(index), Complaint::new(what, accepted));

@@ -11,6 +11,7 @@
 //! | `ensemble` | many runs |
 //! | `frontier` | run time against error |
 //! | `hil` | a target and its twin |
+//! | `trajectory` | what a flight is like, its files, and scenes to start from |
 //! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
@@ -29,3 +30,4 @@ mod scene;
 mod stochastic;
 mod stress;
 mod summaries;
+mod trajectory;

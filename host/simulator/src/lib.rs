@@ -12,6 +12,7 @@
 //! | [`plan`], [`lively`], [`timing`] | the window for a scene, and what a stage costs |
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
+//! | [`portrait`], [`formats`] | what a motion is like, and its path for other tools |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
 //! | [`mod@reference`] | positions of others: a reference, way-points |
 
@@ -19,6 +20,7 @@ pub mod course;
 pub mod emulator;
 pub mod ensemble;
 pub mod flight;
+pub mod formats;
 pub mod high;
 pub mod input;
 pub mod lanes;

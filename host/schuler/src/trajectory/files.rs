@@ -4,13 +4,15 @@ use crate::cli::TrajectoryArgs;
 use schuler::math::compensated::Pair;
 use schuler::trajectory::Trajectory as _;
 use schuler_simulator::course::Course;
+use schuler_simulator::formats::mcap::McapWriter;
 use schuler_simulator::formats::track::{Spot, Track};
 use schuler_simulator::formats::{geojson, gpx, kml};
 use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::output::{self, large_table};
+use schuler_simulator::output::{self, OutputFile, large_table};
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow, NavigationWriter};
 use schuler_simulator::scene::Scene;
 use schuler_simulator::scene::route::Origin;
+use std::io::Cursor;
 use std::path::Path;
 
 /// What a file is, by its ending.
@@ -24,6 +26,8 @@ pub enum Format {
     Gpx,
     /// For maps.
     Geojson,
+    /// ROS 2 messages.
+    Mcap,
 }
 
 /// Rows per second of a map.
@@ -38,9 +42,10 @@ impl Format {
             Some("kml") => Ok(Self::Kml),
             Some("gpx") => Ok(Self::Gpx),
             Some("geojson" | "json") => Ok(Self::Geojson),
+            Some("mcap") => Ok(Self::Mcap),
             _ => {
                 let what = format!("{} has no ending that says what it is", path.display());
-                let accepted = ".csv, .kml, .gpx, .geojson";
+                let accepted = ".csv, .kml, .gpx, .geojson, .mcap";
                 Err(InputError::option("--out", Complaint::new(what, accepted)))
             }
         }
@@ -50,6 +55,7 @@ impl Format {
     pub fn note(self) -> String {
         match self {
             Self::Csv => String::new(),
+            Self::Mcap => "; Imu, NavSatFix, PoseStamped in axes of ROS, times from 0".to_owned(),
             Self::Kml | Self::Geojson => "; heights are above the ellipsoid".to_owned(),
             Self::Gpx => {
                 let start = gpx::START_NAME;
@@ -67,7 +73,8 @@ pub fn write(
     path: &Path,
     format: Format,
 ) -> Result<u64, InputError> {
-    let own = if format == Format::Csv { scene.rate_hz } else { MAP_HZ.min(scene.rate_hz) };
+    let is_map = !matches!(format, Format::Csv | Format::Mcap);
+    let own = if is_map { MAP_HZ.min(scene.rate_hz) } else { scene.rate_hz };
     let rate_hz = args.rate.unwrap_or(own);
     let last = (scene.duration_s * rate_hz * (1.0 + 1e-12)).floor() as u64;
     let row = |number: u64| {
@@ -85,6 +92,9 @@ pub fn write(
         }
         writer.finish()?;
         return Ok(last + 1);
+    }
+    if format == Format::Mcap {
+        return messages(course, path, last, rate_hz).map(|()| last + 1);
     }
     let mut spots: Vec<_> = (0..=last)
         .map(|number| {
@@ -105,16 +115,35 @@ pub fn write(
         points: points(scene),
     };
     let text = match format {
-        Format::Csv | Format::Geojson => Ok(geojson::text(&track)),
+        Format::Csv | Format::Mcap | Format::Geojson => Ok(geojson::text(&track)),
         Format::Kml => kml::text(&track),
         Format::Gpx => gpx::text(&track),
     };
-    let text = text.map_err(|error| {
-        let what = format!("cannot be written: {error}");
-        InputError::file(&path.display().to_string(), Complaint::new(what, ""))
-    })?;
+    let text = text.map_err(|error| fault(path, &error))?;
     output::write(path, text)?;
     Ok(rows)
+}
+
+/// State and perfect readings as messages.
+fn messages(course: &Course, path: &Path, last: u64, rate_hz: f64) -> Result<(), InputError> {
+    let mut file = OutputFile::create(path)?;
+    let mut bytes = Cursor::new(Vec::new());
+    let written = McapWriter::new(&mut bytes).and_then(|mut writer| {
+        for number in 0..=last {
+            let at = schuler::imu::instant(number as f64, rate_hz);
+            let (state, rates) = (course.solution_at(at), course.rates_at(at));
+            writer.row(number as f64 / rate_hz, &state, &rates)?;
+        }
+        writer.finish()
+    });
+    written.map_err(|error| fault(path, &error))?;
+    file.put(bytes.into_inner())?;
+    file.finish()
+}
+
+fn fault(path: &Path, error: &dyn std::fmt::Display) -> InputError {
+    let what = format!("cannot be written: {error}");
+    InputError::file(&path.display().to_string(), Complaint::new(what, ""))
 }
 
 /// The scene's way-points.

@@ -5,7 +5,9 @@ mod log;
 mod mount;
 mod path;
 mod points;
+mod positions;
 mod segments;
+mod thinned;
 mod waypoints;
 
 use crate::input::document::Section;
@@ -32,7 +34,7 @@ pub fn read(root: &Section<'_>, file: &str) -> Result<Trajectory, InputError> {
             return Ok(Trajectory { mounting, ..motion });
         }
         Kind::Segments => segments::read(&section)?,
-        Kind::Waypoints => waypoints::read(&section)?,
+        Kind::Waypoints => waypoints::read(&section, file)?,
         Kind::Log => log::read(&section, file)?,
     };
     let (path, route) = made;

@@ -2,11 +2,13 @@
 
 use super::path::{MOST_PIECES, Made, along, made, rule, unflyable};
 use super::points::{near_origin, radians, swapped};
+use super::positions;
 use super::segments::{BLEND_S, LINES, complaint};
 use crate::course::{Path, Reference};
 use crate::input::document::{Section, Value};
 use crate::input::{Complaint, InputError};
 use crate::number;
+use crate::reference::Track;
 use crate::scene::keys::{motion, path as keys};
 use crate::scene::route::{Manoeuvres, Origin};
 use crate::units::DEGREE;
@@ -48,11 +50,23 @@ enum Pace {
 }
 
 /// The path that they make.
-pub fn read(root: &Section<'_>) -> Result<Made, InputError> {
+pub fn read(root: &Section<'_>, scene: &str) -> Result<Made, InputError> {
     let value = root.require(motion::POINTS.name, "a table")?;
     let section = value.section(&keys::WAYPOINTS.names())?;
-    let list = section.require(keys::LIST.name, keys::LIST.accepted())?;
-    let given = given(&section, list.items(keys::LIST.accepted())?)?;
+    let (list, given) = match section.get(keys::WAYPOINT_FILE.name) {
+        None => {
+            let list = section.require(keys::LIST.name, keys::LIST.accepted())?;
+            let given = given(&section, list.items(keys::LIST.accepted())?)?;
+            (list, given)
+        }
+        Some(file) if section.get(keys::LIST.name).is_some() => {
+            return Err(file.error(Complaint::new("stands beside points", "one of them")));
+        }
+        Some(file) => {
+            let given = of_file(&section, &file, scene)?;
+            (file, given)
+        }
+    };
     if let Some(complaint) = radians(&given.places, DEGREE)
         && !near_origin(&section, &keys::NEAR_ORIGIN)?
     {
@@ -227,6 +241,34 @@ fn given<'a>(section: &Section<'a>, items: Vec<Value<'a>>) -> Result<Given<'a>, 
     Ok(Given { items, places, pace })
 }
 
+/// The points of a file: by its times, or with one speed for all.
+fn of_file<'a>(
+    section: &Section<'_>,
+    value: &Value<'_>,
+    scene: &str,
+) -> Result<Given<'a>, InputError> {
+    let name = value.text(keys::WAYPOINT_FILE.accepted())?;
+    let folder = std::path::Path::new(scene).parent().unwrap_or(std::path::Path::new(""));
+    let track = Track::read(&folder.join(name).to_string_lossy())?;
+    let speed = section.read(&keys::WAYPOINT_SPEED)?;
+    let altitude = section.read(&keys::WAYPOINT_ALTITUDE)?;
+    let (mut places, mut times_s) = (Vec::new(), Vec::new());
+    for fix in &track.fixes {
+        let (latitude, longitude) = (fix.latitude, fix.longitude);
+        let altitude = positions::height(&track, fix, altitude)?;
+        places.push(Geodetic { latitude, longitude, altitude });
+        if speed.is_none() {
+            times_s.push(positions::time_s(&track, fix, times_s.last().copied())?);
+        }
+    }
+    let start_s = times_s.first().copied().unwrap_or_default();
+    let pace = match speed {
+        Some(speed) => Pace::Speeds(vec![speed; places.len()]),
+        None => Pace::Times(times_s.into_iter().map(|time_s| time_s - start_s).collect()),
+    };
+    Ok(Given { items: Vec::new(), places, pace })
+}
+
 /// What is wrong with a time behind another.
 fn misplaced(time_s: f64, before: Option<f64>) -> Option<String> {
     match before {
@@ -239,9 +281,13 @@ fn misplaced(time_s: f64, before: Option<f64>) -> Option<String> {
 /// An error at its point.
 fn blame(error: WaypointError, items: &[Value<'_>], list: &Value<'_>) -> InputError {
     let (index, complaint) = at(error);
-    match index.and_then(|index| items.get(index)) {
-        Some(item) => item.error(complaint),
-        None => list.error(complaint),
+    match (index, index.and_then(|index| items.get(index))) {
+        (_, Some(item)) => item.error(complaint),
+        (None, None) => list.error(complaint),
+        (Some(index), None) => {
+            let what = format!("point {}: {}", index + 1, complaint.what);
+            list.error(Complaint { what, ..complaint })
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The `[trajectory]` table: exactly one of channels, segments, way-points and a log, and what rides on it.
 
 mod channels;
+mod given;
 mod log;
 mod mount;
 mod path;

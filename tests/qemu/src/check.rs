@@ -4,6 +4,7 @@ use super::budget::{Column, MEASURES, Source, Table, written};
 use super::hil;
 use super::image::{self, Image};
 use super::machine::{MACHINES, Machine};
+use super::paths;
 use super::qemu::{self, Flight};
 use super::twin::TWINS;
 use std::collections::BTreeMap;
@@ -142,6 +143,9 @@ fn examine(
         let every = read("navigator")?;
         faults.extend(panics(&every)?);
         faults.extend(hil::emulated(&every, &places.schuler)?);
+        let circuit = read("circuit")?;
+        faults.extend(panics(&circuit)?);
+        faults.extend(paths::fly(machine, &circuit)?);
     }
     let column = column(&[&single, &planned], &measured, &flown)?;
     // The budgets are those of the reference board's target.

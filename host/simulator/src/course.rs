@@ -31,7 +31,7 @@ pub enum Path {
 #[derive(Clone, Debug)]
 pub enum Reference {
     /// Channels of harmonics.
-    Harmonic(HarmonicTrajectory<f64, HARMONICS>),
+    Harmonic(Box<HarmonicTrajectory<f64, HARMONICS>>),
     /// Pieces.
     Path(Path),
 }
@@ -49,7 +49,10 @@ pub enum Course {
 macro_rules! each {
     ($self:ident, $motion:ident => $call:expr) => {
         match $self {
-            Course::Plain(Reference::Harmonic($motion)) => $call,
+            Course::Plain(Reference::Harmonic($motion)) => {
+                let $motion = $motion.as_ref();
+                $call
+            }
             Course::Plain(Reference::Path(Path::Spline($motion))) => {
                 let $motion = $motion.as_ref();
                 $call

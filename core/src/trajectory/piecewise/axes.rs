@@ -77,7 +77,7 @@ impl Turning {
 
     /// A vector of the Earth's axes in these.
     #[inline(always)]
-    pub fn to_body(&self, a: Vector<f64>) -> Vector<f64> {
+    pub fn to_body(self, a: Vector<f64>) -> Vector<f64> {
         let [x, y, z] = self.axes;
         Vector::new(x.dot(a), y.dot(a), z.dot(a))
     }

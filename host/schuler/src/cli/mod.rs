@@ -53,7 +53,7 @@ pub enum Command {
     /// Write the sensors' stream of a scene
     Emulate(EmulateArgs),
     /// Navigate a recorded stream
-    Replay(ReplayArgs),
+    Replay(Box<ReplayArgs>),
     /// Describe a scene's flight, and write its path for other tools
     Trajectory(TrajectoryArgs),
     /// Measure run time against error

@@ -13,7 +13,7 @@ impl Trajectory {
     pub fn build(&self) -> Result<Course, CourseError> {
         let reference = match &self.path {
             Some(path) => Reference::Path(path.clone()),
-            None => Reference::Harmonic(self.channels()?),
+            None => Reference::Harmonic(Box::new(self.channels()?)),
         };
         Ok(Course::new(reference, self.mounting.build()?))
     }

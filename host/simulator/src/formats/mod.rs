@@ -1,0 +1,11 @@
+//! Paths for other tools.
+//!
+//! | file | what |
+//! |---|---|
+//! | [`track`] | a path as maps take it: degrees, cut at the antimeridian |
+//! | [`kml`], [`gpx`], [`geojson`] | maps |
+
+pub mod geojson;
+pub mod gpx;
+pub mod kml;
+pub mod track;

@@ -78,7 +78,8 @@ pub fn fly<M: Entry, E, const TERMS: usize>(
         }
     });
     let mut course = Stream::<_, TERMS, ROOM>::new(pieces, attitude);
-    let (first, last) = (u64::from(from_s) * u64::from(rate_hz), u64::from(to_s) * u64::from(rate_hz));
+    let (first, last) =
+        (u64::from(from_s) * u64::from(rate_hz), u64::from(to_s) * u64::from(rate_hz));
     let rate_hz = f64::from(rate_hz);
     let at = |sample: u64| instant(sample as f64, rate_hz);
     course.advance(at(first).hi, at(first + 1).hi).map_err(Refused::Path)?;

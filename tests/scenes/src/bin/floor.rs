@@ -37,7 +37,9 @@ fn main() -> ExitCode {
     let mut show = |what: &str, unit: &str, most: f64, found: Result<f64, Box<dyn Error>>| {
         let kept = matches!(found, Ok(size) if size <= most);
         match found {
-            Ok(size) => println!("{what:24} {size:8.1e} {unit}{}", if kept { "" } else { ", too far" }),
+            Ok(size) => {
+                println!("{what:24} {size:8.1e} {unit}{}", if kept { "" } else { ", too far" })
+            }
             Err(error) => println!("{what:24} refused: {error}"),
         }
         well &= kept;
@@ -102,6 +104,7 @@ fn joint() -> Result<f64, Box<dyn Error>> {
         row[5] += 10.0 * c;
     }
     let course = Piecewise::new(pieces, Attitude::Stored)?;
-    let rotation = |from_s, to_s| Quadrature::of_nodes(NODES).increment(&course, from_s, to_s).angle_b;
+    let rotation =
+        |from_s, to_s| Quadrature::of_nodes(NODES).increment(&course, from_s, to_s).angle_b;
     Ok((rotation(0.99, 0.995) + rotation(0.995, 1.0) - rotation(0.99, 1.0)).norm())
 }

@@ -4,20 +4,20 @@ use crate::board::Counter;
 use crate::paper::RATE_HZ;
 use schuler::digest::Digest;
 use schuler::drift::compare::drift;
-use schuler::flight::carried::Carried;
-use schuler::flight::configuration::{Axes, Precision};
-use schuler::flight::plan;
 use schuler::math::compensated::Pair;
 use schuler::math::real::Scalar;
-use schuler::output::Output as _;
 use schuler::record::Record;
 use schuler::sample::Increment;
+use schuler::flight::carried::Carried;
 use schuler::solution::Solution;
-use schuler::strapdown::block::window::Window;
 use schuler::strapdown::frame::Frame;
-use schuler::strapdown::limits::{Rejected, StartError};
+use schuler::output::Output as _;
 use schuler::strapdown::mechanization::Mechanization;
+use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::navigator::Strapdown;
+use schuler::flight::configuration::{Axes, Precision};
+use schuler::flight::plan;
+use schuler::strapdown::block::window::Window;
 use schuler::trajectory::Bound;
 
 /// The navigator for the paper's flight, its series of the order that the host plans.

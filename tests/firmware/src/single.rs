@@ -5,10 +5,10 @@ use core::hint::black_box;
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::block::window::H0B4A0;
 use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::navigator::{State, Strapdown};
+use schuler::strapdown::block::window::H0B4A0;
 
 type Frame = LocalLevel<Pair<f32>>;
 type Navigator = Strapdown<Frame, H0B4A0>;

@@ -4,21 +4,21 @@
 #![no_main]
 
 use core::hint::black_box;
-use schuler::flight::carried::Carried;
-use schuler::flight::configuration::Precision;
 use schuler::imu::Quadrature;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::math::vector::Vector;
 use schuler::noise::{Deviate, Stream};
 use schuler::sample::Increment;
+use schuler::flight::carried::Carried;
 use schuler::solution::Solution;
-use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler::strapdown::frame::local_level::LocalLevel;
-use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::mechanization::Mechanization;
+use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::navigator::Strapdown;
+use schuler::flight::configuration::Precision;
 use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
+use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler::trajectory::Trajectory as _;
 use schuler_firmware::board::{self, Counter, entry, stack::Painted};
 use schuler_firmware::fault::Fault;

@@ -6,14 +6,14 @@
 
 use core::hint::black_box;
 use schuler::drift::compare::drift;
-use schuler::flight::configuration::Precision;
 use schuler::imu::Quadrature;
 use schuler::math::compensated::{Pair, TwoFloat};
 use schuler::math::real::Scalar;
 use schuler::record::Record;
-use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::mechanization::Mechanization;
+use schuler::flight::configuration::Precision;
+use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler::trajectory::Trajectory as _;
 use schuler_firmware::board::{self, Counter, entry, stack::Painted};
 use schuler_firmware::fault::Fault;

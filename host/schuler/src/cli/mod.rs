@@ -17,6 +17,7 @@ pub use replay::{Height, Lag, ReplayArgs};
 pub use scenes::{ScenesArgs, TrajectoryArgs};
 
 use crate::report::Wanted;
+use crate::report::files::NAMES as FLIGHT_FILES;
 use apart::Written;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use schuler_simulator::input::InputError;
@@ -103,6 +104,9 @@ pub struct RunArgs {
     /// Write nav.csv and truth.csv, too: the computed and the true motion, row by row
     #[arg(long)]
     pub rows: bool,
+    /// Write ROS 2 messages, too: /imu, /truth and /computed (Imu, NavSatFix, PoseStamped)
+    #[arg(long, value_name = "FILE")]
+    pub mcap: Option<PathBuf>,
     /// Rows of drift.csv (and of --rows) to write: every N-th sample, or one each S seconds, as in 10s [default: all]
     #[arg(long, value_name = "N|S", allow_negative_numbers = true, value_parser = Every::parse)]
     pub every: Option<Every>,
@@ -120,7 +124,30 @@ impl RunArgs {
         let program = <Cli as CommandFactory>::command();
         let commands: Vec<_> = program.get_subcommands().map(clap::Command::get_name).collect();
         let name = self.scene.as_deref();
-        load_beside(name, &commands, &self.flight, &self.navigator, &self.handling)
+        let scene = load_beside(name, &commands, &self.flight, &self.navigator, &self.handling)?;
+        self.check(&scene)?;
+        Ok(scene)
+    }
+
+    /// The folder of the files.
+    pub fn folder(&self, scene: &Scene) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name))
+    }
+
+    /// No messages are written over the scene, nor over another file of the run.
+    fn check(&self, scene: &Scene) -> Result<(), InputError> {
+        let Some(mcap) = &self.mcap else { return Ok(()) };
+        let folder = self.folder(scene);
+        let names = FLIGHT_FILES.map(|name| Written {
+            option: "--out",
+            what: name,
+            path: folder.join(name),
+        });
+        let written: Vec<_> = names.into_iter().chain([Written::named("--mcap", mcap)]).collect();
+        let name = self.scene.as_deref().unwrap_or(builtin::DEFAULT);
+        let is_file = builtin::scene(name).is_none();
+        let read = is_file.then_some(("the scene is read from", Path::new(name)));
+        apart::check(&written, read.as_slice())
     }
 }
 
@@ -137,6 +164,9 @@ pub struct EmulateArgs {
     /// Write the true motion, too: the columns of nav.csv, the start and a row per sample
     #[arg(long, value_name = "FILE")]
     pub truth: Option<PathBuf>,
+    /// Write ROS 2 messages, too: /imu (means over each sample) and /truth (NavSatFix, PoseStamped)
+    #[arg(long, value_name = "FILE")]
+    pub mcap: Option<PathBuf>,
     /// Without the scene's sensor errors
     #[arg(long)]
     pub perfect: bool,
@@ -172,6 +202,7 @@ impl EmulateArgs {
     fn check(&self, scene: &str) -> Result<(), InputError> {
         let mut written = vec![Written::named("--out", &self.out)];
         written.extend(self.truth.as_deref().map(|truth| Written::named("--truth", truth)));
+        written.extend(self.mcap.as_deref().map(|mcap| Written::named("--mcap", mcap)));
         let what = "initial.toml beside it";
         written.extend(self.initial().map(|path| Written { option: "--out", what, path }));
         let is_file = builtin::scene(scene).is_none();

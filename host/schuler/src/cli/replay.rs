@@ -48,6 +48,9 @@ pub struct ReplayArgs {
     /// --out, or to NAME-report beside the file NAME.csv
     #[arg(long, value_name = "FILE")]
     pub reference: Option<PathBuf>,
+    /// Write ROS 2 messages, too: the rows of nav.csv as /computed (NavSatFix, PoseStamped)
+    #[arg(long, value_name = "FILE")]
+    pub mcap: Option<PathBuf>,
     /// How late the reference's stamps are, seconds, or auto: the lag that fits best. That is printed in any case
     #[arg(long, value_name = "S", requires = "reference", default_value = "0", allow_negative_numbers = true, value_parser = Lag::parse)]
     pub lag: Lag,
@@ -115,6 +118,7 @@ impl ReplayArgs {
         }
         let places = Places::new(&self.out, self.reference.is_some());
         let mut written = vec![Written::named("--out", &places.nav)];
+        written.extend(self.mcap.as_deref().map(|mcap| Written::named("--mcap", mcap)));
         for (what, path) in places.report_files() {
             written.push(Written { option: "--out", what, path });
         }

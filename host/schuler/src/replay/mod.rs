@@ -89,8 +89,10 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     }
     files::place(flight.nav, filled)?;
     let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
+    let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
     let nav = places.nav.display();
-    say(&format!("{text}written to {nav}{}\n", report.unwrap_or_default()))?;
+    let [report, messages] = [report, messages].map(Option::unwrap_or_default);
+    say(&format!("{text}written to {nav}{messages}{report}\n"))?;
     Ok(())
 }
 

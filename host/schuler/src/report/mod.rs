@@ -10,6 +10,7 @@ pub mod files;
 pub mod head;
 pub mod html;
 pub mod link_table;
+pub mod messages;
 pub mod motion_charts;
 pub mod parameters;
 pub mod plot;

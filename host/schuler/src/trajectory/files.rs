@@ -4,15 +4,14 @@ use crate::cli::TrajectoryArgs;
 use schuler::math::compensated::Pair;
 use schuler::trajectory::Trajectory as _;
 use schuler_simulator::course::Course;
-use schuler_simulator::formats::mcap::McapWriter;
+use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::formats::track::{Spot, Track};
 use schuler_simulator::formats::{geojson, gpx, kml};
 use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::output::{self, OutputFile, large_table};
+use schuler_simulator::output::{self, large_table};
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow, NavigationWriter};
 use schuler_simulator::scene::Scene;
 use schuler_simulator::scene::route::Origin;
-use std::io::Cursor;
 use std::path::Path;
 
 /// What a file is, by its ending.
@@ -126,19 +125,14 @@ pub fn write(
 
 /// State and perfect readings as messages.
 fn messages(course: &Course, path: &Path, last: u64, rate_hz: f64) -> Result<(), InputError> {
-    let mut file = OutputFile::create(path)?;
-    let mut bytes = Cursor::new(Vec::new());
-    let written = McapWriter::new(&mut bytes).and_then(|mut writer| {
-        for number in 0..=last {
-            let at = schuler::imu::instant(number as f64, rate_hz);
-            let (state, rates) = (course.solution_at(at), course.rates_at(at));
-            writer.row(number as f64 / rate_hz, &state, &rates)?;
-        }
-        writer.finish()
-    });
-    written.map_err(|error| fault(path, &error))?;
-    file.put(bytes.into_inner())?;
-    file.finish()
+    let mut writer = McapWriter::create(path)?;
+    for number in 0..=last {
+        let at = schuler::imu::instant(number as f64, rate_hz);
+        let (state, time_s) = (course.solution_at(at), number as f64 / rate_hz);
+        writer.rates(time_s, &course.rates_at(at), Some(&state))?;
+        writer.state(Motion::Truth, time_s, &state)?;
+    }
+    writer.into_file()?.finish()
 }
 
 fn fault(path: &Path, error: &dyn std::fmt::Display) -> InputError {

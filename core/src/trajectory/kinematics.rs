@@ -20,6 +20,7 @@ use crate::solution::Euler;
 
 /// A body at one instant, relative to the Earth and in its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Kinematics {
     /// n̂, the ellipsoid's outward normal.
     pub normal_e: Vector<f64>,

@@ -9,7 +9,7 @@ fn coordinates(spot: &Spot) -> Coord {
     Coord::new(spot.longitude_deg, spot.latitude_deg, Some(spot.altitude_m))
 }
 
-fn line(part: &Vec<Spot>) -> Geometry {
+fn line(part: &[Spot]) -> Geometry {
     Geometry::LineString(LineString {
         coords: part.iter().map(coordinates).collect(),
         altitude_mode: AltitudeMode::Absolute,
@@ -37,7 +37,7 @@ fn point(index: usize, spot: &Spot) -> Kml {
 ///
 /// Of the writer.
 pub fn text(track: &Track) -> io::Result<String> {
-    let lines = track.parts().iter().map(line).collect();
+    let lines = track.parts().iter().map(|part| line(part)).collect();
     let path = Placemark {
         name: Some(track.name.clone()),
         description: Some(track.title.clone()),

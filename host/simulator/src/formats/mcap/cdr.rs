@@ -19,7 +19,7 @@ impl Default for Cdr {
 
 impl Cdr {
     fn align(&mut self, size: usize) {
-        while (self.bytes.len() - HEAD.len()) % size != 0 {
+        while !(self.bytes.len() - HEAD.len()).is_multiple_of(size) {
             self.bytes.push(0);
         }
     }

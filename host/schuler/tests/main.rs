@@ -11,6 +11,7 @@
 //! | `ensemble` | many runs |
 //! | `frontier` | run time against error |
 //! | `hil` | a target and its twin |
+//! | `mcap` | ROS 2 messages |
 //! | `trajectory` | what a flight is like, its files, and scenes to start from |
 //! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
@@ -23,6 +24,7 @@ mod exit_codes;
 mod frontier;
 mod hil;
 mod left_behind;
+mod mcap;
 mod recording;
 mod reference;
 mod rest;

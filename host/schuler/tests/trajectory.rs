@@ -1,5 +1,6 @@
 //! `schuler trajectory` and `schuler scenes`: what they print, and the files of a path.
 
+use schuler_host::trajectory::fidelity::fidelity;
 use std::process::Command;
 
 fn schuler(arguments: &[&str]) -> (bool, String) {
@@ -52,6 +53,24 @@ fn a_circuit_is_what_its_segments_say() {
     assert!(number(&text, "lateral force", 0) <= 1e-5, "{text}");
     let (done, text) = schuler(&["trajectory", "waypoints"]);
     assert!(done && text.contains("misfit") && text.contains("20 way-points"), "{text}");
+}
+
+/// The pieces follow the manoeuvres between their ends, too.
+#[test]
+fn circuits_are_true_to_their_manoeuvres() {
+    for name in ["circuit", "drive", "pole-circuit"] {
+        let scene = schuler_simulator::scene::load(name).expect(name);
+        let path = scene.trajectory.path.as_ref().expect("it has a path");
+        let route = scene.trajectory.route.as_ref().expect("it has a route");
+        let flown = route.from.manoeuvres().expect("it has manoeuvres");
+        let off = fidelity(path, flown).expect("it is flown");
+        assert!(off > 0.0 && off <= 1e-8, "{name}: {off:e} m");
+        // What is a millimetre higher is told.
+        let mut higher = flown.clone();
+        higher.start.position.altitude += 1e-3;
+        let off = fidelity(path, &higher).expect("it is flown");
+        assert!((off - 1e-3).abs() < 1e-5, "{name}: {off:e} m");
+    }
 }
 
 #[test]

@@ -215,10 +215,12 @@ fn imu(nanoseconds: u64, state: Option<&Solution<f64>>, rates: &Rates<f64>) -> C
 
 fn fix(nanoseconds: u64, state: &Solution<f64>) -> Cdr {
     let at = state.position.map(|x| x.hi + x.lo);
+    let longitude = at.longitude / DEGREE;
+    let whole_turns = 360.0 * (longitude / 360.0).round();
     header(nanoseconds, "base_link")
         .u8(0)
         .u16(1)
-        .numbers(&[at.latitude / DEGREE, at.longitude / DEGREE, at.altitude])
+        .numbers(&[at.latitude / DEGREE, longitude - whole_turns, at.altitude])
         .numbers(&UNKNOWN)
         .u8(0)
 }

@@ -13,7 +13,7 @@ const STRIDES: [usize; 4] = [16, 8, 4, 2];
 /// Rows that a path is made of at least.
 const FEWEST: usize = 16;
 /// A row is met within some roundings of its numbers: m, and of a unit quaternion.
-const MET_M: f64 = 3e-9;
+const MET_M: f64 = 8e-9;
 const MET_TURN: f64 = 1e-14;
 
 /// The pieces of a path through the fewest rows, evenly chosen, that meets all; `None` where it takes every row, where

@@ -27,7 +27,7 @@ fi
 schuler=${SCHULER:-cargo run --quiet --release --locked --}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
-check() { "$tools/bin/python" tests/mcap.py "$@"; }
+check() { "$tools/bin/python" tests/messages.py "$@"; }
 
 # One that turns in every direction, one with sensor errors, and one across the antimeridian.
 for flight in manoeuvre:100 paper:20 drive:100; do

@@ -1,6 +1,6 @@
 """Reads MCAP files with the readers of others and compares every number with the tables beside them.
 
-mcap.py FILE RATE_HZ [imu.csv] [truth.csv] [computed.csv]: an absent table is written as -.
+messages.py FILE RATE_HZ [imu.csv] [truth.csv] [computed.csv]: an absent table is written as -.
 """
 
 import collections

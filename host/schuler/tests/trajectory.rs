@@ -132,3 +132,76 @@ fn built_in_paths_are_flown_to_the_floor() {
         assert!(most > 0.0 && most <= 1e-8, "{scene} {rate} Hz {frame}: {most:e} m");
     }
 }
+
+#[test]
+fn a_replays_rows_are_flown_again_to_the_floor() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let run = |arguments: &[&str]| {
+        let (done, text) = schuler(arguments);
+        assert!(done, "{arguments:?}: {text}");
+    };
+    let (imu, initial, nav) = (place("imu.csv"), place("initial.toml"), place("nav.csv"));
+    run(&[
+        "emulate",
+        "waypoints",
+        "--rate",
+        "100",
+        "--duration",
+        "900",
+        "--perfect",
+        "--out",
+        &imu,
+    ]);
+    run(&["replay", "--imu", &imu, "--initial", &initial, "--out", &nav]);
+    let scene = place("again.toml");
+    let text = "rate_hz = 100\n[trajectory]\nattitude = \"log\"\nlog = { file = \"nav.csv\" }\n";
+    std::fs::write(&scene, text).expect("it can be written");
+    let out = place("out");
+    run(&["run", &scene, "--out", &out, "--no-report", "--every", "9999"]);
+    let summary = std::fs::read_to_string(folder.path().join("out/summary.json"));
+    let summary: serde_json::Value =
+        serde_json::from_str(&summary.expect("it was written")).expect("JSON");
+    // Through every one of the rows it would be 3e-8: the rounding of their numbers, at half their rate.
+    let most = summary["error"]["max"]["position_m"].as_f64().expect("a number");
+    assert!(most > 0.0 && most <= 2e-8, "{most:e} m");
+}
+
+#[test]
+fn files_of_positions_are_way_points_and_logs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let point = |minute: u32, latitude: f64, height: &str| {
+        format!(
+            "<wpt lat=\"{latitude}\" lon=\"8.5\">{height}\
+             <time>2026-05-01T10:{minute:02}:00Z</time></wpt>"
+        )
+    };
+    let gpx = |height: &str| {
+        let points: String = (0..4).map(|n| point(n, 47.0 + 0.01 * f64::from(n), height)).collect();
+        format!(
+            "<gpx version=\"1.1\" creator=\"t\" xmlns=\"http://www.topografix.com/GPX/1/1\">{points}</gpx>"
+        )
+    };
+    let scene = place("scene.toml");
+    let describe = |motion: &str| {
+        let text = format!("rate_hz = 20\n[trajectory]\n{motion}\n");
+        std::fs::write(&scene, text).expect("it can be written");
+        schuler(&["trajectory", &scene])
+    };
+    std::fs::write(place("high.gpx"), gpx("<ele>500</ele>")).expect("it can be written");
+    std::fs::write(place("flat.gpx"), gpx("")).expect("it can be written");
+    // 0.03° of latitude is 3.335 km, in three minutes.
+    for motion in [
+        "waypoints = { file = \"high.gpx\" }",
+        "waypoints = { file = \"flat.gpx\", altitude_m = 500 }",
+        "attitude = \"upright\"\nlog = { file = \"high.gpx\", max_gap_s = 60 }",
+    ] {
+        let (done, text) = describe(motion);
+        assert!(done && text.contains("3.33") && text.contains("180 s"), "{motion}: {text}");
+    }
+    let (done, text) = describe("waypoints = { file = \"flat.gpx\" }");
+    assert!(!done && text.contains("flat.gpx:1: has no height"), "{text}");
+    let (done, text) = describe("waypoints = { file = \"high.gpx\", points = [] }");
+    assert!(!done && text.contains("stands beside points"), "{text}");
+}

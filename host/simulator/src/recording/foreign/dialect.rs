@@ -1,7 +1,17 @@
 //! How the lines of a text file are cut into fields.
 
-use super::map::Text;
 use csv_core::ReadRecordResult;
+
+/// How the lines of the files are written.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Text {
+    /// What stands between fields; absent where a line's look decides.
+    pub delimiter: Option<Delimiter>,
+    /// What begins a comment; absent for #, % and //.
+    pub comment: Option<String>,
+    /// Lines at the top that are passed over.
+    pub skip_lines: u64,
+}
 
 /// What stands between the fields of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

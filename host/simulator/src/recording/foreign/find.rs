@@ -2,10 +2,11 @@
 //! accelerometers that read gravity.
 
 use super::super::lines::Lines;
+use super::dialect::Text;
 use super::dialect::{Splitter, comment, number};
 use super::head::Head;
 use super::look::{Look, likely_unit};
-use super::map::{Column, Given, Map, Text};
+use super::map::{Column, Given, Map};
 use super::settle::USUAL;
 use crate::input::{Complaint, InputError};
 use std::fs::File;

@@ -1,8 +1,9 @@
 //! What stands before the rows of a text file: lines that may be its header, and how its rows are cut.
 
 use super::super::lines::Lines;
+use super::dialect::Text;
 use super::dialect::{Delimiter, Splitter, comment, number};
-use super::map::{Column, Text};
+use super::map::Column;
 use crate::input::{Complaint, InputError};
 use std::fs::File;
 

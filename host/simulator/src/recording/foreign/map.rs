@@ -3,7 +3,7 @@
 use super::super::instant::Scale;
 use super::super::mounting::Mounting;
 use super::super::reduction::Known;
-use super::dialect::Delimiter;
+use super::dialect::Text;
 use crate::input::Complaint;
 use crate::rest::units::{TimeUnit, Units};
 
@@ -14,17 +14,6 @@ pub enum Column {
     Name(String),
     /// The first is 1.
     Number(usize),
-}
-
-/// How the lines of the files are written.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Text {
-    /// What stands between fields; absent where a line's look decides.
-    pub delimiter: Option<Delimiter>,
-    /// What begins a comment; absent for #, % and //.
-    pub comment: Option<String>,
-    /// Lines at the top that are passed over.
-    pub skip_lines: u64,
 }
 
 /// Where the time of a row is.

@@ -3,9 +3,10 @@
 use super::super::Unread;
 use super::super::instant;
 use super::super::lines::Lines;
+use super::dialect::Text;
 use super::dialect::{Delimiter, Splitter, comment, number};
 use super::head::{Head, Place};
-use super::map::{Column, Form, Text, Time};
+use super::map::{Column, Form, Time};
 use crate::input::{Complaint, InputError};
 use crate::rest::units::TimeUnit;
 use std::fs::File;

@@ -3,16 +3,15 @@
 mod apart;
 mod audit;
 mod emulate;
-mod every;
 mod hil;
 mod options;
 mod replay;
 mod scenes;
 mod start;
 
+pub use crate::report::every::Every;
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use emulate::EmulateArgs;
-pub use every::{Every, Sieve};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, Handling, NavigatorOptions, Window};
 pub use replay::{Height, Lag, ReplayArgs};

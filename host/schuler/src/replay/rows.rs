@@ -1,6 +1,6 @@
 //! The rows of `nav.csv` on their way to the file.
 
-use crate::cli::{Every, Sieve};
+use crate::report::every::{Every, Sieve};
 use schuler::solution::Solution;
 use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::high::Highest;

@@ -1,8 +1,8 @@
 //! The files of a flight: they get their names together when it has ended, with or without an error.
 
+use super::every::Every;
 use super::rows::{self, RowFiles};
 use super::{DriftCsv, drift_csv, head, html, plot, summary};
-use crate::cli::Every;
 use schuler_simulator::flight::{Flight, Instant};
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::{self, OutputFile};

@@ -1,7 +1,7 @@
 //! A run as ROS 2 messages: what the sensors read, the true motion and the computed one.
 
+use super::every::Every;
 use super::thinned::Thinned;
-use crate::cli::Every;
 use schuler_simulator::flight::Instant;
 use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::input::InputError;

@@ -5,6 +5,7 @@
 
 pub mod drift_charts;
 pub mod drift_csv;
+pub mod every;
 pub mod figures;
 pub mod files;
 pub mod head;

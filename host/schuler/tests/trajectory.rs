@@ -198,7 +198,7 @@ fn files_of_positions_are_way_points_and_logs() {
         "attitude = \"upright\"\nlog = { file = \"high.gpx\", max_gap_s = 60 }",
     ] {
         let (done, text) = describe(motion);
-        assert!(done && text.contains("3.33") && text.contains("180 s"), "{motion}: {text}");
+        assert!(done && text.contains("3335 m") && text.contains("180 s"), "{motion}: {text}");
     }
     let (done, text) = describe("waypoints = { file = \"flat.gpx\" }");
     assert!(!done && text.contains("flat.gpx:1: has no height"), "{text}");

@@ -12,8 +12,6 @@ use schuler::trajectory::piecewise::piece::Piece;
 const STRIDES: [usize; 4] = [16, 8, 4, 2];
 /// Rows that a path is made of at least.
 const FEWEST: usize = 16;
-/// Rows at either end of which none is left out: what an end presumes of higher derivatives fades within them.
-const EDGE: usize = 32;
 /// A row is met within some roundings of its coordinates, m, and within 4e-7″ of its attitude, as a unit quaternion.
 const MET_M: f64 = 8e-9;
 const MET_TURN: f64 = 1e-12;
@@ -31,11 +29,11 @@ pub fn pieces_of(rows: &Log<'_>) -> Option<Vec<Piece<8>>> {
 /// The path through every so many rows, if it meets the others.
 fn every(rows: &Log<'_>, stride: usize) -> Option<Vec<Piece<8>>> {
     let count = rows.times_s.len();
-    if count / stride < FEWEST || count <= 2 * EDGE {
+    if count / stride < FEWEST {
         return None;
     }
-    let late = count - EDGE;
-    let chosen = || (0..EDGE).chain((EDGE..late).step_by(stride)).chain(late..count);
+    let last = count - 1;
+    let chosen = || (0..last).step_by(stride).chain([last]);
     let times_s: Vec<_> = chosen().map(|n| rows.times_s[n]).collect();
     let positions: Vec<_> = chosen().map(|n| rows.positions[n]).collect();
     let attitudes: Option<Vec<_>> = rows.attitudes.map(|all| chosen().map(|n| all[n]).collect());

@@ -2,6 +2,7 @@
 
 mod formats;
 mod maps;
+mod refused;
 mod start;
 mod told;
 

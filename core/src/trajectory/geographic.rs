@@ -14,7 +14,7 @@ use core::f64::consts::FRAC_PI_2;
 const HALF_PI: Pair<f64> = Pair { hi: FRAC_PI_2, lo: 6.123_233_995_736_766e-17 };
 
 /// Latitude and longitude of a normal, to the digits of a double.
-fn angles(normal: Vector<f64>) -> (f64, f64) {
+pub(super) fn angles(normal: Vector<f64>) -> (f64, f64) {
     let across = Real::sqrt(normal.x * normal.x + normal.y * normal.y);
     (Real::atan2(normal.z, across), Real::atan2(normal.y, normal.x))
 }

@@ -1,6 +1,5 @@
 //! The motion of a scene: channels of harmonics, or any path in pieces, and the unit that it carries.
 
-use crate::scene::build::HARMONICS;
 use schuler::imu::Quadrature;
 use schuler::math::compensated::Pair;
 use schuler::sample::{Increment, Rates};
@@ -12,6 +11,9 @@ use schuler::trajectory::piecewise::Piecewise;
 use schuler::trajectory::piecewise::piece::Piece;
 use schuler::trajectory::{Bound, Motion, Trajectory};
 use std::sync::Arc;
+
+/// Harmonics that a motion may have, over all channels.
+pub const HARMONICS: usize = 64;
 
 /// A path in pieces of degree 7, of way-points and logs.
 pub type Spline = Piecewise<Vec<Piece<8>>, 8>;
@@ -31,7 +33,7 @@ pub enum Path {
 #[derive(Clone, Debug)]
 pub enum Reference {
     /// Channels of harmonics.
-    Harmonic(HarmonicTrajectory<f64, HARMONICS>),
+    Harmonic(Box<HarmonicTrajectory<f64, HARMONICS>>),
     /// Pieces.
     Path(Path),
 }
@@ -49,7 +51,10 @@ pub enum Course {
 macro_rules! each {
     ($self:ident, $motion:ident => $call:expr) => {
         match $self {
-            Course::Plain(Reference::Harmonic($motion)) => $call,
+            Course::Plain(Reference::Harmonic($motion)) => {
+                let $motion = $motion.as_ref();
+                $call
+            }
             Course::Plain(Reference::Path(Path::Spline($motion))) => {
                 let $motion = $motion.as_ref();
                 $call

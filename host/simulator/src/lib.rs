@@ -12,7 +12,9 @@
 //! | [`plan`], [`lively`], [`timing`] | the window for a scene, and what a stage costs |
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
+//! | [`portrait`], [`formats`] | what a motion is like, and its path for other tools |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
+//! | [`mod@reference`] | positions of others: a reference, way-points |
 //! | [`allan`], [`datasheet`] | sensors identified by their Allan deviation, or by their data sheet |
 
 pub mod allan;
@@ -21,6 +23,7 @@ pub mod datasheet;
 pub mod emulator;
 pub mod ensemble;
 pub mod flight;
+pub mod formats;
 pub mod high;
 pub mod input;
 pub mod lanes;
@@ -32,6 +35,7 @@ pub mod plan;
 pub mod portrait;
 pub mod progress;
 pub mod recording;
+pub mod reference;
 pub mod rest;
 pub mod rounding;
 pub mod scene;

@@ -18,7 +18,8 @@ const BETWEEN: f64 = 1.1;
 pub(super) fn check<const TERMS: usize>(pieces: &[Piece<TERMS>]) -> Result<(), PathError> {
     let mut end_s = pieces.first().ok_or(PathError::Empty)?.start_s;
     for (index, piece) in pieces.iter().enumerate() {
-        if piece.start_s != end_s || !(piece.end_s > piece.start_s) {
+        let follows = piece.start_s == end_s && piece.end_s > piece.start_s;
+        if !follows {
             return Err(PathError::Order { piece: index });
         }
         end_s = piece.end_s;
@@ -55,7 +56,8 @@ fn readings<const TERMS: usize>(
             let [x, y, z, h] = piece.series::<2>(Half::Position, at);
             let velocity = super::place::Place::new(Vector::new(x, y, z), h).position;
             let speed = velocity.map(|r| r.coefficient(1)).norm();
-            if !(speed >= LEAST_SPEED) {
+            let is_told = speed >= LEAST_SPEED;
+            if !is_told {
                 return Err(PathError::Slow { time_s, speed });
             }
         }

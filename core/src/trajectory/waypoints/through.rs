@@ -1,6 +1,6 @@
 //! A spline through every way-point.
 //!
-//! n̂ and h are splines of degree 7 in time, the points their sites ([`mod@interpolate`]). The times are
+//! n̂ and h are splines of degree 7 in time, the points their sites ([`interpolate`]). The times are
 //! given, or come from speeds at the points by two passes: a leg takes its length over the mean of the speeds at its ends,
 //! v = (vᵢ + vᵢ₊₁)/2, which is exact for a steady acceleration. The first pass takes the straight distance for
 //! the length; the second one the arc ∫|ṙ|dt of the spline that the first pass made, by Gauss-Legendre quadrature with

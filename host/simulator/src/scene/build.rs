@@ -1,19 +1,16 @@
 //! From a scene's channels to the core's trajectory.
 
 use super::{Channel, Mounting, Trajectory, Vibration};
-use crate::course::{Course, Reference};
+use crate::course::{Course, HARMONICS, Reference};
 use schuler::trajectory::carried::Mount;
 use schuler::trajectory::harmonic::{self, Channels, CourseError, HarmonicTrajectory};
-
-/// Harmonics that a scene may have, over all channels.
-pub const HARMONICS: usize = 64;
 
 impl Trajectory {
     /// The motion that is described.
     pub fn build(&self) -> Result<Course, CourseError> {
         let reference = match &self.path {
             Some(path) => Reference::Path(path.clone()),
-            None => Reference::Harmonic(self.channels()?),
+            None => Reference::Harmonic(Box::new(self.channels()?)),
         };
         Ok(Course::new(reference, self.mounting.build()?))
     }

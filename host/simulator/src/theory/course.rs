@@ -84,7 +84,7 @@ impl Course {
             random,
             coarse,
             quiet,
-            over_a_pole: !(turning <= FASTEST_MERIDIAN),
+            over_a_pole: turning > FASTEST_MERIDIAN,
             longest_step_s: LONGEST_STEP_S
                 .min(LARGEST_TURN / bound.angular_rate.max(turning))
                 .min(bound.bandwidth.recip()),

@@ -33,14 +33,24 @@ impl Shape {
         }
     }
 
-    /// Its Allan variance.
-    pub fn variance(self, tau_s: f64) -> f64 {
+    /// The processes that it is the sum of.
+    fn parts(self, mut of: impl FnMut(Term<f64>) -> f64) -> f64 {
         match self {
             Self::Flicker(timing) => {
                 let pole = |(correlation_s, rms)| Term::GaussMarkov { rms, correlation_s };
-                flicker::poles(timing).map(|p| pole(p).variance(tau_s)).sum()
+                flicker::poles(timing).map(|p| of(pole(p))).sum()
             }
-            other => other.term().variance(tau_s),
+            other => of(other.term()),
         }
+    }
+
+    /// Its Allan variance.
+    pub fn variance(self, tau_s: f64) -> f64 {
+        self.parts(|term| term.variance(tau_s))
+    }
+
+    /// The generalised covariance of its integral, as the core's terms have it.
+    pub fn covariance(self, t_s: f64) -> f64 {
+        self.parts(|term| term.covariance(t_s))
     }
 }

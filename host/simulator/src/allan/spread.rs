@@ -97,11 +97,10 @@ impl Pair {
 
     fn correlations(&self, shape: Shape) -> Vec<f64> {
         let [a, b] = self.lengths;
-        let term = shape.term();
         // s at every multiple of the step that is asked for.
         let begin = self.first - 2 * b;
         let end = self.first + self.counts.len() as i64 + 2 * a;
-        let s: Vec<f64> = (begin..end).map(|t| term.covariance(t as f64 * self.step_s)).collect();
+        let s: Vec<f64> = (begin..end).map(|t| shape.covariance(t as f64 * self.step_s)).collect();
         let weights = [1.0, -2.0, 1.0];
         let at = |lag: i64| {
             let mut sum = 0.0;

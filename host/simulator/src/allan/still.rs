@@ -49,10 +49,11 @@ impl Stillness {
         if self.count == 0 {
             self.first = values;
         }
-        for i in 0..6 {
-            let off = values[i] - self.first[i];
-            self.sum[i] += off;
-            self.squares[i] += off * off;
+        let sums = self.sum.iter_mut().zip(&mut self.squares);
+        for ((sum, squares), (value, first)) in sums.zip(values.iter().zip(&self.first)) {
+            let off = value - first;
+            *sum += off;
+            *squares += off * off;
         }
         self.count += 1;
         if self.count == self.per_piece {

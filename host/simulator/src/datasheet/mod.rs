@@ -107,7 +107,8 @@ fn one(
             values = values.map(|x| x * interval_s);
         }
         set(&mut errors, entry, values, section)?;
-        if !entry.is_unit() && !(walks && entry.gives.starts_with("bias_instability")) {
+        let is_walk = walks && entry.gives.starts_with("bias_instability");
+        if !entry.assumed.is_empty() && !is_walk {
             notes.push(format!("{}: {}", entry.key, entry.assumed));
         }
     }

@@ -37,9 +37,9 @@ fn alone(scene: &Scene, run: u64) -> Vec<Drift> {
     let ground = Ground::new(scene, &source);
     let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
     let mut navigator =
-        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial)
+        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial(run))
             .unwrap();
-    let mut drifts = vec![drift(&ground.initial, &source.truth(0))];
+    let mut drifts = vec![drift(&ground.initial(run), &source.truth(0))];
     let mut read = |n: u64, row: &_| {
         assert_eq!(n, drifts.len() as u64);
         drifts.push(drift(row, &source.truth(n)));
@@ -86,7 +86,7 @@ fn held_alone(scene: &Scene, run: u64) -> HashMap<u64, [u64; 9]> {
     let ground = Ground::new(scene, &source);
     let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
     let mut navigator =
-        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial)
+        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial(run))
             .unwrap();
     let mut ends = HashMap::new();
     let mut stream = source.start(run);

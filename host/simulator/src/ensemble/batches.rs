@@ -22,6 +22,8 @@ pub struct Means<'a> {
     pub threads: usize,
     /// Read when so many samples have been taken.
     pub stops: &'a [u64],
+    /// Runs of a batch; some seconds' worth of them unless told.
+    pub batch: Option<u64>,
 }
 
 /// Flies the runs of a range of numbers; `done` gets each batch, in order, and `progress` the samples flown
@@ -34,8 +36,8 @@ pub fn fly<E: From<Unavailable>>(
     done: &mut dyn FnMut(Kept) -> Result<(), E>,
 ) -> Result<(), E> {
     let samples = ground.scene.samples();
-    let Means { unit, threads, stops } = means;
-    let size = size(samples, (unit.runs() * threads) as u64);
+    let Means { unit, threads, stops, batch } = means;
+    let size = batch.unwrap_or_else(|| size(samples, (unit.runs() * threads) as u64)).max(1);
     let mut first = runs.start;
     while first < runs.end {
         let batch = first..runs.end.min(first + size);

@@ -10,10 +10,12 @@
 //! | [`held`] | the vertical where it is held |
 //! | `saturated` | how often sensors were at their limit |
 //! | [`kept`], [`batches`] | what is kept of runs, and runs in batches |
+//! | [`budget`] | what each error term contributes |
 //! | [`part`] | a file of kept runs, which goes on where it ended |
 
 mod alone;
 pub mod batches;
+pub mod budget;
 pub mod fleet;
 pub mod group;
 pub mod held;

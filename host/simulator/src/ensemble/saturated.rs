@@ -30,11 +30,12 @@ pub(super) fn in_all(
         }
         stream.saturated()
     };
-    let of_group = |(group, runs): (&Box<dyn Group + '_>, &Range<u64>)| {
-        match failed.iter().any(|failure| runs.contains(&failure.run)) {
-            true => runs.clone().map(once_more).sum(),
-            false => group.saturated(),
-        }
+    let of_group = |(group, runs): (&Box<dyn Group + '_>, &Range<u64>)| match failed
+        .iter()
+        .any(|failure| runs.contains(&failure.run))
+    {
+        true => runs.clone().map(once_more).sum(),
+        false => group.saturated(),
     };
     groups.iter().zip(ranges).map(of_group).sum()
 }

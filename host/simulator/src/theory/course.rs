@@ -146,7 +146,11 @@ impl Course {
 }
 
 /// The covariance of the error at the start: of independent drifts with the σ of the scene.
-fn scattered(shift: &MeridianShift<f64>, initial: &InitialError, vertical_held: bool) -> Covariance {
+fn scattered(
+    shift: &MeridianShift<f64>,
+    initial: &InitialError,
+    vertical_held: bool,
+) -> Covariance {
     let sigmas: [[f64; 3]; 3] =
         [initial.position_sigma_m, initial.velocity_sigma_m_s, initial.attitude_sigma_rad];
     let mut covariance = Covariance::default();

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Shards of an ensemble through HyperQueue: a server, two workers, eight shards on this machine, put together and
+# compared byte for byte with the whole. Without Python or its package it skips with a line that says so; with CI set
+# nothing may be missing. SCHULER may name the program, built already.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+package=hyperqueue==0.27.0
+tools=$(realpath -m "${CARGO_TARGET_DIR:-target}/tools/hyperqueue")
+has_package() { "$tools/bin/python" -c 'import hyperqueue' 2>/dev/null; }
+
+if ! has_package; then
+    if [ -n "${CI:-}" ] && ! python3 -c 'import ensurepip, venv' 2>/dev/null; then
+        apt-get update -qq >/dev/null
+        apt-get install -y -qq --no-install-recommends python3 python3-venv >/dev/null
+    fi
+    if ! { python3 -m venv "$tools" && "$tools/bin/pip" install --quiet "$package"; }; then
+        if [ -n "${CI:-}" ]; then
+            echo "hyperqueue: $package cannot be installed" >&2
+            exit 1
+        fi
+        echo "skipped: no Python with $package"
+        exit 0
+    fi
+fi
+
+schuler=${SCHULER:-cargo run --quiet --release --locked --}
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+# A number of runs that eight does not divide.
+ensemble="ensemble paper --duration 120 --runs 203"
+$schuler $ensemble --keep --out "$out/whole" >/dev/null
+if ! "$tools/bin/python" tests/hyperqueue.py 2 8 "$out/parts" $schuler $ensemble >"$out/said" 2>&1; then
+    cat "$out/said" "$out"/parts/*.err >&2
+    exit 1
+fi
+$schuler ensemble merge "$out"/parts/*.part --keep --out "$out/merged" >/dev/null
+diff -r "$out/whole" "$out/merged"
+
+# A comparison that finds nothing wrong with another seed finds nothing anywhere, nor does a merge without a shard.
+$schuler $ensemble --seed 2 --keep --out "$out/other" >/dev/null
+if diff -r "$out/other" "$out/merged" >/dev/null; then
+    echo "hyperqueue: another seed is not told from this one" >&2
+    exit 1
+fi
+rm "$out/parts/shard-5-of-8.part"
+if $schuler ensemble merge "$out"/parts/*.part --out "$out/fewer" >/dev/null 2>"$out/said"; then
+    echo "hyperqueue: seven of eight shards are taken for the whole" >&2
+    exit 1
+fi
+grep -q "of 8 shards there is no 5" "$out/said"
+echo "203 runs in 8 shards on 2 workers: byte for byte the whole"

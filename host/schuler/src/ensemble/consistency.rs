@@ -16,8 +16,15 @@ pub const GROUPS: [(&str, std::ops::Range<usize>); 4] = [
     ("the attitude", 6..9),
 ];
 
-/// What the states before leave of a state's variance, at least: less is left to the rounding of theory.
-const LEAST_OWN: f64 = 1e-4;
+/// What entries of theory's covariance may be off by beside the variances: it takes noise as continuous, and
+/// interpolates.
+const THEORY: f64 = 1e-5;
+
+/// What other states leave of a state's variance, as a share, so that it is tested: what theory is off by there shifts
+/// ε by a third of the scatter of its mean, √(2/n), at most.
+fn least_own(runs: usize) -> f64 {
+    3.0 * THEORY * (0.5 * runs as f64).sqrt()
+}
 
 /// A group of states at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +55,7 @@ impl Consistency {
     ) -> Option<Self> {
         let (_, range) = GROUPS.get(group)?;
         let wanted: Vec<usize> = range.clone().filter(|&i| tested[i]).collect();
-        let factor = Factor::new(covariance, &wanted);
+        let factor = Factor::new(covariance, &wanted, least_own(values.numbers.len()));
         let states = factor.order.len();
         if states < 2 {
             return None;
@@ -77,8 +84,8 @@ struct Factor {
 }
 
 impl Factor {
-    /// Of these states, less those that the others determine.
-    fn new(covariance: &Matrix, wanted: &[usize]) -> Self {
+    /// Of these states, less those of which the others leave less than a share.
+    fn new(covariance: &Matrix, wanted: &[usize], least_own: f64) -> Self {
         let mut factor = Self { order: Vec::new(), sigma: Vec::new(), rows: Vec::new() };
         let mut left = wanted.to_vec();
         loop {
@@ -89,7 +96,7 @@ impl Factor {
             let Some((place, mut row, own)) = candidates.max_by(|a, b| a.2.total_cmp(&b.2)) else {
                 break;
             };
-            if own < LEAST_OWN {
+            if own < least_own {
                 break;
             }
             row.push(own.sqrt());

@@ -96,39 +96,30 @@ pub fn budget(findings: &Findings) -> String {
     };
     let flown = findings.budget.iter().any(|share| !share.runs.is_empty());
     let mut text = format!(
-        "\nWhat the error at {} s is made of: root mean square of each term alone{}\n{:<29}{:>8} {:>8} {:>6} {:>9} {:>8} {:>8}\n{:<29}{:>8} {:>8} {:>6} {:>9} {:>8} {:>8}\n{}\n",
-        parameter(at.time_s),
-        if flown { ", runs by switching it off" } else { "" },
-        "",
-        "horiz., m",
-        "runs",
-        "share",
-        "down, m",
-        "runs",
-        "about ↓, ″",
-        "",
-        "theory",
-        "",
-        "%",
-        "theory",
-        "",
-        "theory",
-        "─".repeat(WIDTH)
+        "\nWhat the error at {} s is made of: rms of each term alone",
+        parameter(at.time_s)
     );
+    text += if flown { ",\n\"runs\" by switching it off in runs\n" } else { "\n" };
+    let line = |name: &str, cells: [&str; 5]| {
+        let [theory, runs, share, down, heading] = cells;
+        format!("{name:<33}{theory:>9} {runs:>9} {share:>7} {down:>9} {heading:>9}\n")
+    };
+    text += &line("", ["horizontal", "runs", "share", "down", "heading"]);
+    text += &line("", ["m", "m", "%", "m", "arcsec"]);
+    text += &format!("{}\n", "─".repeat(WIDTH));
     let horizontal: Vec<f64> = terms.iter().map(|term| term.best().horizontal).collect();
     let told = |x: Option<f64>| x.filter(|x| !x.is_nan()).map_or("–".to_owned(), short);
     for (term, share) in terms.iter().zip(shares_of(&horizontal)) {
-        let (theory, runs) = (term.theory, term.runs);
-        text += &format!(
-            "{:<29}{:>8} {:>8} {:>6} {:>9} {:>8} {:>8}\n",
-            term.name,
-            told(theory.map(|x| x.horizontal)),
-            told(runs.map(|x| x.horizontal)),
-            if share.is_nan() { "–".to_owned() } else { format!("{:.1}", 100.0 * share) },
-            told(theory.map(|x| x.vertical)),
-            told(runs.map(|x| x.vertical)),
-            told(theory.map(|x| x.heading)),
-        );
+        let best = Some(term.best());
+        let share = if share.is_nan() { "–".to_owned() } else { format!("{:.1}", 100.0 * share) };
+        let cells = [
+            told(term.theory.map(|x| x.horizontal)),
+            told(term.runs.map(|x| x.horizontal)),
+            share,
+            told(best.map(|x| x.vertical)),
+            told(best.map(|x| x.heading)),
+        ];
+        text += &line(term.name, cells.each_ref().map(String::as_str));
     }
     text
 }

@@ -188,8 +188,14 @@ fn an_ensemble_that_does_not_follow_theory_fails() {
     let (text, said) = [&done.stdout, &done.stderr].map(|x| String::from_utf8_lossy(x)).into();
     assert_eq!(done.status.code(), Some(1), "{said}");
     assert!(text.contains("does not agree with theory") && text.contains("written to"), "{text}");
-    // Of 144, less those of the vertical, which a level vehicle's tilt moves by its square alone.
-    assert!(said.contains(" of 120 checks failed"), "{said}");
+    // Of 144, less those of the vertical, which a level vehicle's tilt moves by its square alone; and four of states
+    // together at each of eight times.
+    assert!(said.contains(" of 152 checks failed"), "{said}");
+    assert!(text.contains("States together do not agree with it at 99.9 %: "), "{text}");
+    assert!(
+        text.contains("\nThe standard deviation of ") || text.contains("\nThe mean of "),
+        "{text}"
+    );
     assert!(folder.path().join("out/limited/ensemble.csv").is_file());
 }
 

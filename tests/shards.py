@@ -1,6 +1,6 @@
 """Flies the shards of an ensemble as tasks of HyperQueue: a server and workers of one core each, on this machine.
 
-    hyperqueue.py WORKERS SHARDS FOLDER schuler ensemble …
+    shards.py WORKERS SHARDS FOLDER schuler ensemble …
 
 Each task is the command with `--shard K/N --resume --out FOLDER`. On a cluster the server and its workers are started
 by `hq server start` and `hq worker start`, or by `hq alloc add slurm`, and `Client()` finds them; the job is the same.

@@ -21,8 +21,8 @@ const RUNS: Stroke = Stroke::solid(1.8);
 const THEORY: Stroke = Stroke { width: 1.4, dashed: true };
 /// Dots of a scatter, at most.
 const MOST_DOTS: usize = 2000;
-/// Bars of a histogram.
-const BARS: usize = 32;
+/// Bars of a histogram: at least, at most.
+const BARS: [f64; 2] = [8.0, 48.0];
 /// Points of a smooth line.
 const SMOOTH: usize = 96;
 
@@ -186,10 +186,13 @@ pub fn histograms(findings: &Findings) -> Option<[[Chart; 3]; 3]> {
             let [least, greatest] = [f64::min, f64::max].map(|f| x.iter().copied().reduce(f));
             let (least, greatest) = (least.unwrap_or(0.0), greatest.unwrap_or(0.0));
             let Unit { name: unit, factor } = of.unit(least.abs().max(greatest.abs()));
-            let width = ((greatest - least) / BARS as f64).max(f64::MIN_POSITIVE);
-            let mut counts = [0u64; BARS];
+            // 2∛n bars (Rice's rule).
+            let bars = (2.0 * (x.len() as f64).cbrt()).clamp(BARS[0], BARS[1]).round();
+            let width = ((greatest - least) / bars).max(f64::MIN_POSITIVE);
+            let mut counts = vec![0u64; bars as usize];
+            let last = counts.len() - 1;
             for x in &x {
-                counts[(((x - least) / width) as usize).min(BARS - 1)] += 1;
+                counts[(((x - least) / width) as usize).min(last)] += 1;
             }
             let density = |count: u64| count as f64 / (x.len() as f64 * width * factor);
             let edges = counts.iter().enumerate().flat_map(|(bar, &count)| {
@@ -259,7 +262,7 @@ pub fn stack(findings: &Findings, names: &[&str], by_runs: bool) -> Option<Chart
     let is_known = bands.last()?.edges.iter().any(|edge| edge[1] > 0.0);
     let by = if by_runs { "by switching off" } else { "by theory" };
     is_known.then(|| Chart {
-        title: format!("Share of the horizontal mean square, %, {by}"),
+        title: format!("Shares of the horizontal error, %, {by}"),
         x,
         y: Axis { label: String::new(), from: 0.0, to: 100.0 },
         is_map: false,

@@ -193,7 +193,8 @@ pub struct GaussMarkov {
     pub correlation_s: [f64; 3],
 }
 
-/// The navigator's start less the truth.
+/// The navigator's start less the truth: what is the same in every run, and the standard deviation of what
+/// each run draws on top of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct InitialError {
     /// North, east, down, m.
@@ -202,6 +203,19 @@ pub struct InitialError {
     pub velocity_m_s: [f64; 3],
     /// Rotation vector from the true to the computed body frame, in north, east, down, rad.
     pub attitude_rad: [f64; 3],
+    /// Standard deviation of the position, m.
+    pub position_sigma_m: [f64; 3],
+    /// Standard deviation of the velocity, m/s.
+    pub velocity_sigma_m_s: [f64; 3],
+    /// Standard deviation of the attitude, rad.
+    pub attitude_sigma_rad: [f64; 3],
+}
+
+impl InitialError {
+    /// Whether runs draw any of it.
+    pub fn is_random(&self) -> bool {
+        [self.position_sigma_m, self.velocity_sigma_m_s, self.attitude_sigma_rad] != [[0.0; 3]; 3]
+    }
 }
 
 /// How a scene is navigated.

@@ -4,7 +4,6 @@
 # nothing may be missing. SCHULER may name the program, built already.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-
 . tests/venv.sh
 
 python_with hyperqueue hyperqueue==0.27.0

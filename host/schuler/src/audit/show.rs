@@ -4,10 +4,12 @@ use super::compare::{Growth, Parting};
 use super::difference::Difference;
 use super::functions;
 use super::golden::{Verdict, digest};
+use super::heads::Contradiction;
 use super::page::Table;
 use super::pair::{Common, Partly, Shorter};
 use super::record::Named;
 use super::sensitivity::Effect;
+use super::tolerance::FieldVerdict;
 use schuler_report::axis::printed;
 use schuler_simulator::number::Quantity;
 use schuler_simulator::scene::Scene;
@@ -18,10 +20,31 @@ use serde::Serialize;
 pub struct Compared {
     /// Their name.
     pub chain: String,
+    /// What their heads say against each other.
+    pub heads: Vec<Contradiction>,
     /// What both hold.
     pub held: Common,
     /// Where they part.
     pub parting: Option<Parting>,
+    /// The verdict on every field, where limits are given.
+    pub fields: Option<Vec<FieldVerdict>>,
+}
+
+impl Compared {
+    /// Whether they are further apart than they may be.
+    pub fn fails(&self) -> bool {
+        match &self.fields {
+            Some(fields) => fields.iter().any(|field| field.beyond > 0),
+            None => self.parting.is_some(),
+        }
+    }
+}
+
+/// What heads say against each other, before anything else.
+pub fn heads(heads: &[Contradiction]) -> String {
+    let each = heads.iter().map(|Contradiction { key, values: [a, b] }| format!("{key} is {a} in the one, {b} in the other"));
+    let all: Vec<_> = each.collect();
+    if all.is_empty() { String::new() } else { format!("the heads contradict each other: {}\n", all.join("; ")) }
 }
 
 /// The digests of what was recorded.
@@ -76,10 +99,11 @@ fn same(Common { rows, digests, .. }: &Common) -> String {
 
 /// Two chains compared, in words.
 pub fn compared(compared: &Compared, rate_hz: Option<&str>) -> String {
-    let Compared { chain, held, parting } = compared;
-    let mut text = match parting {
-        None => format!("{chain}: {}\n", same(held)),
-        Some(parting) => {
+    let Compared { chain, held, parting, fields, .. } = compared;
+    let mut text = match (parting, fields) {
+        (None, None) => format!("{chain}: {}\n", same(held)),
+        (_, Some(fields)) => format!("{chain}: {}\n{}", near(fields), verdict_table(fields).text()),
+        (Some(parting), None) => {
             let rate_hz = rate_hz.and_then(|text| text.parse().ok());
             format!("{chain}: part\n{}", part(parting, rate_hz))
         }
@@ -88,6 +112,44 @@ pub fn compared(compared: &Compared, rate_hz: Option<&str>) -> String {
         text += &format!("  {remark}\n");
     }
     text
+}
+
+/// The verdict on all fields, in a line.
+fn near(fields: &[FieldVerdict]) -> String {
+    let beyond = fields.iter().filter(|field| field.beyond > 0);
+    let first = beyond.clone().min_by_key(|field| field.first);
+    match first {
+        None => format!("all of {} words are within their limits", fields.len()),
+        Some(FieldVerdict { stage, field, first, .. }) => {
+            let sample = first.map_or_else(String::new, |sample| format!(", from sample {sample} on"));
+            format!("{} of {} words are beyond: first stage {stage}, field {field}{sample}", beyond.count(), fields.len())
+        }
+    }
+}
+
+/// The verdict on each field, with its worst.
+fn verdict_table(fields: &[FieldVerdict]) -> Table {
+    let heads = ["stage", "field", "limit", "verdict", "worst, ulps", "worst, difference", "at sample"];
+    let mut table = Table::new("every word at its worst", &heads);
+    for FieldVerdict { stage, field, limit, rows, beyond, sample, worst, .. } in fields {
+        let verdict = match (beyond, worst) {
+            (0, None) => "the same bits".to_owned(),
+            (0, _) => "within".to_owned(),
+            _ => format!("BEYOND in {beyond} of {rows} rows"),
+        };
+        let (ulps, difference) = worst.as_ref().map_or((0, 0.0), |worst| (worst.ulps, worst.difference));
+        let sample = sample.map_or_else(String::new, |sample| sample.to_string());
+        table.rows.push(vec![
+            stage.clone(),
+            field.clone(),
+            limit.clone(),
+            verdict,
+            ulps.to_string(),
+            format!("{difference:.3e}"),
+            sample,
+        ]);
+    }
+    table
 }
 
 /// What is not compared, though a chain has it.
@@ -122,16 +184,25 @@ pub fn first(found: &[Compared]) -> String {
 
 /// The same for a page.
 pub fn partings(found: &[Compared]) -> Vec<Table> {
-    let heads = ["chain", "rows", "digests", "verdict", "what is not compared"];
-    let mut table = Table::new("Compared", &heads);
+    let mut table = Table::new("Compared", &["chain", "rows", "digests", "verdict", "remarks"]);
     let mut tables = Vec::new();
-    for Compared { chain, held, parting } in found {
-        let verdict = parting.as_ref().map_or("the same bits".to_owned(), place);
+    for Compared { chain, heads: contradicting, held, parting, fields } in found {
+        let verdict = match fields {
+            Some(fields) => near(fields),
+            None => parting.as_ref().map_or("the same bits".to_owned(), place),
+        };
         let (rows, digests) = (held.rows.to_string(), held.digests.to_string());
-        let remarks = remarks(held).join("; ");
+        let contradicting = heads(contradicting).trim_end().to_owned();
+        let first = (!contradicting.is_empty()).then_some(contradicting);
+        let remarks = first.into_iter().chain(remarks(held)).collect::<Vec<_>>().join("; ");
         table.rows.push(vec![chain.clone(), rows, digests, verdict, remarks]);
         tables.extend(parting.as_ref().map(|parting| {
             let mut table = growth(&parting.growth);
+            table.title = format!("{chain}: {}", table.title);
+            table
+        }));
+        tables.extend(fields.as_ref().map(|fields| {
+            let mut table = verdict_table(fields);
             table.title = format!("{chain}: {}", table.title);
             table
         }));

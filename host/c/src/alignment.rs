@@ -209,7 +209,7 @@ alignment!(f64, 0xf000_0004, 1000);
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]
-pub(crate) fn sizes(see: &mut dyn FnMut(&str, usize, usize)) {
+pub(crate) fn needs(see: &mut dyn FnMut(&str, usize, usize)) {
     see("schuler_alignment_f32", size_of::<schuler_alignment_f32>(), crate::held::size::<Still<f32>>());
     see("schuler_alignment_f64", size_of::<schuler_alignment_f64>(), crate::held::size::<Still<f64>>());
 }

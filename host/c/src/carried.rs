@@ -80,6 +80,6 @@ pub unsafe extern "C" fn schuler_interval_of(rate_hz: f64, interval_s: *mut schu
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]
-pub(crate) fn sizes(see: &mut dyn FnMut(&str, usize, usize)) {
+pub(crate) fn needs(see: &mut dyn FnMut(&str, usize, usize)) {
     see("schuler_carried", size_of::<schuler_carried>(), crate::held::size::<Carried>());
 }

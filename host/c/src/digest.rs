@@ -75,6 +75,6 @@ pub unsafe extern "C" fn schuler_digest_value(digest: *const schuler_digest, val
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]
-pub(crate) fn sizes(see: &mut dyn FnMut(&str, usize, usize)) {
+pub(crate) fn needs(see: &mut dyn FnMut(&str, usize, usize)) {
     see("schuler_digest", size_of::<schuler_digest>(), crate::held::size::<Running>());
 }

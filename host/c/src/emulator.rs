@@ -157,7 +157,7 @@ emulator!(f64, 0xf000_0006, 1000);
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]
-pub(crate) fn sizes(see: &mut dyn FnMut(&str, usize, usize)) {
+pub(crate) fn needs(see: &mut dyn FnMut(&str, usize, usize)) {
     see("schuler_emulator_f32", size_of::<schuler_emulator_f32>(), crate::held::size::<Run<f32>>());
     see("schuler_emulator_f64", size_of::<schuler_emulator_f64>(), crate::held::size::<Run<f64>>());
 }

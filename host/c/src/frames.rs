@@ -116,6 +116,6 @@ pub unsafe extern "C" fn schuler_encode(
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]
-pub(crate) fn sizes(see: &mut dyn FnMut(&str, usize, usize)) {
+pub(crate) fn needs(see: &mut dyn FnMut(&str, usize, usize)) {
     see("schuler_decoder", size_of::<schuler_decoder>(), crate::held::size::<Decoder>());
 }

@@ -66,10 +66,10 @@ fn panic(_: &core::panic::PanicInfo) -> ! {
 #[cfg(not(feature = "archive"))]
 #[doc(hidden)]
 pub fn sizes_beside(see: &mut dyn FnMut(&str, usize, usize)) {
-    alignment::sizes(see);
-    carried::sizes(see);
-    digest::sizes(see);
-    emulator::sizes(see);
-    frames::sizes(see);
-    target::sizes(see);
+    alignment::needs(see);
+    carried::needs(see);
+    digest::needs(see);
+    emulator::needs(see);
+    frames::needs(see);
+    target::needs(see);
 }

@@ -80,7 +80,8 @@ impl<M: Numbered> Navigation<M> {
         Self::start(100.0, 0, &Solution { attitude, ..Solution::default() })
     }
 
-    /// Takes a sample.
+    /// Takes a sample: one copy of the step, for every function that ends in it.
+    #[inline(never)]
     pub(crate) fn push(&mut self, sample: Increment<M::Real>) -> Result<(), Code> {
         Ok(self.mechanization.push(&mut self.state, sample)?)
     }
@@ -96,7 +97,7 @@ impl<M: Numbered> Navigation<M> {
 
     /// Integrates what waits for look-ahead.
     pub(crate) fn finish(&mut self) {
-        self.mechanization.finish(&mut self.state);
+        finish(&self.mechanization, &mut self.state);
     }
 
     /// Samples behind the last block's end.
@@ -116,7 +117,7 @@ impl<M: Numbered> Navigation<M> {
 
     /// At the end of the last block, in double precision.
     pub(crate) fn read(&self) -> [Pair<f64>; 10] {
-        pairs(&self.output().wide())
+        wide::<M>(&self.output())
     }
 
     /// The same in the navigator's own precision and axes.
@@ -132,13 +133,13 @@ impl<M: Numbered> Navigation<M> {
     #[inline(never)]
     fn ahead(&self) -> M::Output {
         let mut ahead = self.state;
-        self.mechanization.finish(&mut ahead);
+        finish(&self.mechanization, &mut ahead);
         self.mechanization.output(&ahead)
     }
 
     /// At the newest sample, in double precision.
     pub(crate) fn predict(&self) -> [Pair<f64>; 10] {
-        pairs(&self.ahead().wide())
+        wide::<M>(&self.ahead())
     }
 
     /// The same in the navigator's own precision and axes.
@@ -160,8 +161,21 @@ impl<M: Numbered> Navigation<M> {
     }
 }
 
+/// One copy of it, too.
+#[inline(never)]
+fn finish<M: Mechanization>(mechanization: &M, state: &mut M::State) {
+    mechanization.finish(state);
+}
+
+/// In local axes and double precision.
+#[inline(never)]
+fn wide<M: Numbered>(output: &M::Output) -> [Pair<f64>; 10] {
+    pairs(&output.wide())
+}
+
 impl<M: Numbered + UnequalIntervals> Navigation<M> {
     /// Takes a sample of its own interval in seconds.
+    #[inline(never)]
     pub(crate) fn push_over(
         &mut self,
         sample: Increment<M::Real>,

@@ -1,5 +1,5 @@
-//! The functions of each navigator: those of the core's catalogue whose windows are marked `library` there, each
-//! for samples of one length and for samples of any, and the textbook.
+//! The functions of each navigator: those of the core's catalogue with the windows that targets have, each for
+//! samples of one length and for samples of any, and the textbook.
 
 use crate::digest::{Running, schuler_digest};
 use crate::held::{Keep, forget, held, held_mut, keep};
@@ -403,7 +403,7 @@ macro_rules! windows {
     )+} };
 }
 
-/// Calls a macro for each navigator, after the tokens given here: the catalogue's frames with the library's windows.
+/// Calls a macro for each navigator, after the tokens given here: the catalogue's frames with the windows of targets.
 macro_rules! navigators {
     ($each:ident $first:tt
      $($name:ident: $precision:ident, $axes:ident, $frame:ty, $windows:ident, [$($of:ident: $textbook:ty)?];)+) => {
@@ -413,10 +413,10 @@ macro_rules! navigators {
         )+
     };
     (@windows F64 $each:ident $first:tt $name:ident, $frame:ty) => {
-        windows_of! { library windows! $each $first $name, f64, $frame; }
+        windows_of! { target windows! $each $first $name, f64, $frame; }
     };
     (@windows $single:ident $each:ident $first:tt $name:ident, $frame:ty) => {
-        windows_of! { library windows! $each $first $name, f32, $frame; }
+        windows_of! { target windows! $each $first $name, f32, $frame; }
     };
     (@textbook F64 $each:ident $first:tt $name:ident, $frame:ty) => {
         navigators! { @number f64 $each $first $name, $frame }
@@ -447,6 +447,6 @@ macro_rules! measure {
 /// stored form. It is for the tests, which hold the table of sizes against it.
 #[cfg(not(feature = "archive"))]
 #[doc(hidden)]
-pub fn sizes(see: &mut dyn FnMut(&str, u32, usize, usize)) {
+pub fn navigator_sizes(see: &mut dyn FnMut(&str, u32, usize, usize)) {
     every_frame! { navigators! measure [see] }
 }

@@ -115,7 +115,7 @@ target!(schuler_target_f32, Single, 0xf000_0009, 1000, "in single precision and 
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]
-pub(crate) fn sizes(see: &mut dyn FnMut(&str, usize, usize)) {
+pub(crate) fn needs(see: &mut dyn FnMut(&str, usize, usize)) {
     see("schuler_target", size_of::<schuler_target>(), crate::held::size::<Target<Every>>());
     see("schuler_target_f32", size_of::<schuler_target_f32>(), crate::held::size::<Target<Single>>());
 }

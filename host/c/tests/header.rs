@@ -38,7 +38,7 @@ fn header() -> String {
 /// The table of sizes.
 fn sizes() -> String {
     let (mut words, mut saved) = (String::new(), String::new());
-    schuler_c::sizes(&mut |name, _, size, stored| {
+    schuler_c::navigator_sizes(&mut |name, _, size, stored| {
         let _ = writeln!(words, "    ({name}) => {{ {} }};", size.div_ceil(8));
         let _ = writeln!(saved, "    ({name}) => {{ {stored} }};");
     });
@@ -83,7 +83,7 @@ fn wrapper() -> String {
     let (before, rest) = text.split_once("// <navigators>\n").unwrap();
     let (_, after) = rest.split_once("// </navigators>\n").unwrap();
     let mut lines = String::new();
-    schuler_c::sizes(&mut |name, _, _, _| {
+    schuler_c::navigator_sizes(&mut |name, _, _, _| {
         let number = if name.starts_with("f64") { "f64" } else { "f32" };
         let any = name.ends_with("_any") || name.ends_with("_textbook");
         let any = if any { "_ANY" } else { "" };
@@ -101,9 +101,9 @@ fn the_wrapper_has_every_navigator() {
 #[test]
 fn no_two_states_have_one_mark() {
     let mut kinds = Vec::new();
-    schuler_c::sizes(&mut |_, kind, _, _| kinds.push(kind));
+    schuler_c::navigator_sizes(&mut |_, kind, _, _| kinds.push(kind));
     let count = kinds.len();
     kinds.sort_unstable();
     kinds.dedup();
-    assert_eq!((kinds.len(), count), (40, 40));
+    assert_eq!((kinds.len(), count), (28, 28));
 }

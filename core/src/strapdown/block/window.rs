@@ -245,9 +245,6 @@ macro_rules! pick_windows {
     (lanes $each:ident! $first:tt [$($taken:ident)*] $name:ident [lanes $($other:ident)*] $($rest:tt)*) => {
         $crate::pick_windows! { lanes $each! $first [$($taken)* $name] $($rest)* }
     };
-    (library $each:ident! $first:tt [$($taken:ident)*] $name:ident [library $($other:ident)*] $($rest:tt)*) => {
-        $crate::pick_windows! { library $each! $first [$($taken)* $name] $($rest)* }
-    };
     (compared $each:ident! $first:tt [$($taken:ident)*] $name:ident [compared $($other:ident)*] $($rest:tt)*) => {
         $crate::pick_windows! { compared $each! $first [$($taken)* $name] $($rest)* }
     };
@@ -268,15 +265,15 @@ const fn capacity(h: usize, b: usize, a: usize, beside: usize) -> usize {
 
 windows! { $
     // Who has a window beside the host's navigators in f32 and f64, which have all: those in two-float products,
-    // targets over the link, the C library, audits (in local-level axes alone), runs abreast in lanes,
-    // comparisons of arithmetics.
+    // targets over the link, audits (in local-level axes alone), runs abreast in lanes, comparisons of
+    // arithmetics.
     // name       H  B  A  fit and its coefficients, terms, who has it
     /// Two samples, no delay beyond the block.
     H0B2A0 = 0, 2, 0, through 2, 6,;
     /// Three samples.
     H0B3A0 = 0, 3, 0, through 3, 8,;
     /// Four samples: cheap, for motion that is slow against the sampling; the microcontroller's.
-    H0B4A0 = 0, 4, 0, through 4, 10, two_float target library audited lanes compared;
+    H0B4A0 = 0, 4, 0, through 4, 10, two_float target audited lanes compared;
     /// Six samples.
     H0B6A0 = 0, 6, 0, through 6, 14,;
     /// Two of history: output every two samples without look-ahead.
@@ -286,9 +283,9 @@ windows! { $
     /// Six samples without look-ahead.
     H2B4A0 = 2, 4, 0, behind 6, 14,;
     /// Eight samples without look-ahead: the most accurate that does not delay.
-    H4B4A0 = 4, 4, 0, behind 8, 18, two_float library;
+    H4B4A0 = 4, 4, 0, behind 8, 18, two_float;
     /// Eight samples about the block, two of delay: for hard motion.
-    H2B4A2 = 2, 4, 2, alike 8, 22, two_float target library audited lanes compared;
+    H2B4A2 = 2, 4, 2, alike 8, 22, two_float target audited lanes compared;
     /// Twelve samples about the block: for vibration at a low rate.
     H4B4A4 = 4, 4, 4, alike 12, 26, two_float lanes;
     /// A straight line over eight samples: slow motion at a fraction of the cost.

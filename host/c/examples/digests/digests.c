@@ -10,56 +10,10 @@
 #include <string.h>
 
 #include "flights.h"
+#include "sensors.h"
 
 void say(const char *text);
 int fly_all(void);
-
-#define DEGREE (3.14159265358979323846 / 180.0)
-#define PER_HOUR (DEGREE / 3600.0)
-#define MICRO_G 9.80665e-6
-#define ALL(x) { (x), (x), (x) }
-
-/* The sensors of a scene, as its TOML file has them. */
-static const schuler_triad_f64 paper_gyros = {
-    .constant = ALL(0.1 * PER_HOUR),
-    .gauss_markov = ALL(0.1 * PER_HOUR),
-    .correlation_s = ALL(720.0),
-    .white = ALL(0.01 * (DEGREE / 60.0)),
-};
-
-static const schuler_triad_f64 paper_accelerometers = {
-    .gauss_markov = ALL(100.0 * MICRO_G),
-    .correlation_s = ALL(720.0),
-};
-
-static const schuler_triad_f64 turns_gyros = {
-    .constant = { 0.3 * PER_HOUR, -0.2 * PER_HOUR, 0.1 * PER_HOUR },
-    .turn_on = ALL(0.5 * PER_HOUR),
-    .gauss_markov = { 0.4 * PER_HOUR, 0.2 * PER_HOUR, 0.1 * PER_HOUR },
-    .correlation_s = { 5.0, 60.0, 720.0 },
-    .white = ALL(0.05 * (DEGREE / 60.0)),
-    .random_walk = ALL(2.0 * (PER_HOUR / 60.0)),
-    .instability = ALL(0.2 * PER_HOUR),
-    .scale_factor = { 50.0 * 1e-6, -30.0 * 1e-6, 20.0 * 1e-6 },
-    .misalignment = { 20.0 * (DEGREE / 3600.0), -10.0 * (DEGREE / 3600.0), 15.0 * (DEGREE / 3600.0) },
-    .g_sensitivity = ALL(0.1 * (PER_HOUR / 9.80665)),
-    .saturation = { 280.0 * DEGREE, 60.0 * DEGREE, 60.0 * DEGREE },
-    .quantization = ALL(0.2 * (DEGREE / 3600.0)),
-};
-
-static const schuler_triad_f64 turns_accelerometers = {
-    .constant = { 50.0 * MICRO_G, -40.0 * MICRO_G, 30.0 * MICRO_G },
-    .turn_on = ALL(60.0 * MICRO_G),
-    .gauss_markov = { 80.0 * MICRO_G, 40.0 * MICRO_G, 20.0 * MICRO_G },
-    .correlation_s = { 5.0, 60.0, 720.0 },
-    .white = ALL(0.02 * (1.0 / 60.0)),
-    .random_walk = ALL(100.0 * (MICRO_G / 60.0)),
-    .instability = ALL(25.0 * MICRO_G),
-    .scale_factor = { -60.0 * 1e-6, 40.0 * 1e-6, 20.0 * 1e-6 },
-    .misalignment = { -12.0 * (DEGREE / 3600.0), 18.0 * (DEGREE / 3600.0), 9.0 * (DEGREE / 3600.0) },
-    .saturation = { 9.0 * 9.80665, 9.0 * 9.80665, 5.0 * 9.80665 },
-    .quantization = ALL(1e-4),
-};
 
 /* A scene, and where its perfect increments are. */
 typedef struct {

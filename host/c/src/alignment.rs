@@ -204,8 +204,8 @@ macro_rules! alignment {
     } };
 }
 
-alignment!(f32, 0xf000_0003, 1000);
-alignment!(f64, 0xf000_0004, 1000);
+alignment!(f32, 0xf000_0003, 38);
+alignment!(f64, 0xf000_0004, 74);
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]

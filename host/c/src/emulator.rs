@@ -152,8 +152,8 @@ macro_rules! emulator {
     } };
 }
 
-emulator!(f32, 0xf000_0005, 1000);
-emulator!(f64, 0xf000_0006, 1000);
+emulator!(f32, 0xf000_0005, 394);
+emulator!(f64, 0xf000_0006, 674);
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]

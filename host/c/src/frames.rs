@@ -24,7 +24,7 @@ impl Keep for Decoder {
 #[derive(Clone, Copy, Debug)]
 pub struct schuler_decoder {
     /// The library's.
-    pub opaque: [u64; 1000],
+    pub opaque: [u64; 37],
 }
 
 /// A frame that came through whole.

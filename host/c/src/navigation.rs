@@ -10,6 +10,7 @@ use schuler::flight::configuration::Configuration;
 use schuler::flight::plan::HIGHEST_ORDER;
 use schuler::math::compensated::Pair;
 use schuler::math::quaternion::Quaternion;
+use schuler::math::real::Scalar;
 use schuler::output::Output as _;
 use schuler::sample::{Increment, Rates};
 use schuler::solution::Solution;
@@ -52,6 +53,11 @@ fn order(order: u32) -> u32 {
     if order == 0 { HIGHEST_ORDER as u32 } else { order }
 }
 
+/// On the equator, level, at rest.
+pub(crate) fn level<R: Scalar>() -> Solution<R> {
+    Solution { attitude: Quaternion::IDENTITY.map(Pair::new), ..Solution::default() }
+}
+
 impl<M: Numbered> Navigation<M> {
     /// From a rate and a solution in double precision.
     #[inline(never)]
@@ -76,8 +82,7 @@ impl<M: Numbered> Navigation<M> {
     /// On the equator, level, at rest, at 100 Hz: for the tests.
     #[cfg(not(feature = "archive"))]
     pub(crate) fn level() -> Result<Self, Code> {
-        let attitude = Quaternion::IDENTITY.map(Pair::new);
-        Self::start(100.0, 0, &Solution { attitude, ..Solution::default() })
+        Self::start(100.0, 0, &level())
     }
 
     /// Takes a sample: one copy of the step, for every function that ends in it.

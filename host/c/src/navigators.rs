@@ -2,7 +2,7 @@
 //! samples of one length and for samples of any, and the textbook.
 
 use crate::digest::{Running, schuler_digest};
-use crate::held::{Keep, forget, held, held_mut, keep};
+use crate::held::{forget, held, held_mut, keep};
 use crate::navigation::{Navigation, Numbered};
 use crate::pointer::{bytes, bytes_mut, get, put};
 use crate::results::result;
@@ -439,7 +439,7 @@ macro_rules! measure {
     ([$see:ident] $name:ident, $number:ident, $type:ty, $any:ident, $about:tt) => {
         let size = crate::held::size::<Navigation<$type>>();
         let stored = Navigation::<$type>::level().map_or(0, |navigation| navigation.saved_size());
-        $see(stringify!($name), <Navigation<$type> as Keep>::KIND, size, stored);
+        $see(stringify!($name), <Navigation<$type> as crate::held::Keep>::KIND, size, stored);
     };
 }
 

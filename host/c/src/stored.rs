@@ -6,14 +6,12 @@
 
 use crate::SCHULER_ABI;
 use crate::held::Keep as _;
-use crate::navigation::{Navigation, Numbered};
+use crate::navigation::{Navigation, Numbered, level};
 use crate::results::Code;
 use schuler::digest::Digest;
 use schuler::math::compensated::Pair;
-use schuler::math::quaternion::Quaternion;
 use schuler::math::real::Scalar;
 use schuler::record::Record;
-use schuler::solution::Solution;
 
 /// "SCHU".
 const MARK: u32 = u32::from_le_bytes(*b"SCHU");
@@ -105,8 +103,7 @@ impl<M: Numbered> Navigation<M> {
         let interval_s = Pair { hi: number()?, lo: number()? };
         let order = u32::try_from(next()?).map_err(|_| Code::DAMAGED)?;
         let mechanization = M::configured(interval_s, order as usize).map_err(|_| Code::DAMAGED)?;
-        let level = Solution { attitude: Quaternion::IDENTITY.map(Pair::new), ..Solution::default() };
-        let mut state = mechanization.start(&level)?;
+        let mut state = mechanization.start(&level())?;
         let mut left = words;
         let mut complete = true;
         state.restore("", &mut |_, bits| {

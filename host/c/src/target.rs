@@ -110,8 +110,8 @@ where
     Ok(())
 }
 
-target!(schuler_target, Every, 0xf000_0008, 1000, "with every navigator that the link knows");
-target!(schuler_target_f32, Single, 0xf000_0009, 1000, "in single precision and local axes, without a double");
+target!(schuler_target, Every, 0xf000_0008, 224, "with every navigator that the link knows");
+target!(schuler_target_f32, Single, 0xf000_0009, 142, "in single precision and local axes, without a double");
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]

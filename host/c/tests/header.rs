@@ -23,6 +23,43 @@ fn expanded() -> String {
     String::from_utf8(expanded.stdout).unwrap()
 }
 
+/// Columns of a line of the header.
+const WIDTH: usize = 110;
+
+/// A comment, wrapped, without what `# Safety` asks of each function: the header says that once for all.
+fn comment(indent: &str, lines: &[&str]) -> String {
+    let lines = lines.iter().map(|line| line.trim().trim_start_matches('*').trim());
+    let text = lines.take_while(|line| *line != "# Safety").collect::<Vec<_>>().join(" ");
+    let mut wrapped = vec![format!("{indent}/**")];
+    for word in text.split_whitespace() {
+        let last = wrapped.last_mut().unwrap();
+        if last.len() + 1 + word.len() + " */".len() > WIDTH {
+            wrapped.push(format!("{indent} * {word}"));
+        } else {
+            last.push(' ');
+            last.push_str(word);
+        }
+    }
+    wrapped.join("\n") + " */\n"
+}
+
+/// The header with its comments in order.
+fn tidy(text: &str) -> String {
+    let mut tidied = String::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        if line.trim() == "/**" {
+            let indent = line.trim_end_matches("/**");
+            let inside: Vec<_> = lines.by_ref().take_while(|line| line.trim() != "*/").collect();
+            tidied += &comment(indent, &inside);
+        } else {
+            tidied += line;
+            tidied.push('\n');
+        }
+    }
+    tidied
+}
+
 /// The header.
 fn header() -> String {
     let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join("expanded.rs");
@@ -32,7 +69,7 @@ fn header() -> String {
         cbindgen::Builder::new().with_config(config).with_src(&source).generate().unwrap();
     let mut text = Vec::new();
     bindings.write(&mut text);
-    String::from_utf8(text).unwrap()
+    tidy(&String::from_utf8(text).unwrap())
 }
 
 /// The table of sizes.
@@ -73,7 +110,12 @@ fn the_header_is_that_of_the_sources() {
 
 #[test]
 fn what_goes_beside_a_navigator_is_as_large_as_it_has_to_be() {
-    schuler_c::sizes_beside(&mut |name, has, needs| assert_eq!(has, needs.next_multiple_of(8), "{name}"));
+    let mut wrong = Vec::new();
+    schuler_c::sizes_beside(&mut |name, has, needs| {
+        let words = needs.div_ceil(8);
+        wrong.extend((has != 8 * words).then(|| format!("{name} takes {words} words")));
+    });
+    assert_eq!(wrong, Vec::<String>::new());
 }
 
 /// The C++ header, with a line for each navigator.

@@ -54,18 +54,18 @@ done
 # What flies everywhere: perfect increments and initial solutions of the golden flights, as bits.
 "$SCHULER" audit record paper --duration 60 --configuration f64-local-level-textbook --out "$out/chains" >/dev/null
 "$SCHULER" audit record tests/golden/turns.toml --configuration f64-local-level-textbook --out "$out/chains" >/dev/null
-# flight SCENE: its part of flights.h.
+# flight SCENE STAGE: its part of flights.h, with the samples of a stage.
 flight() {
     local upper=${1^^}
-    awk -v name="$1" -v upper="$upper" '
-        $1 == "increments" && $2 ~ /^[0-9]+$/ {
+    awk -v name="$1" -v upper="$upper" -v stage="$2" '
+        $1 == stage && $2 ~ /^[0-9]+$/ {
             line = ""
             for (i = 3; i <= 8; i++) line = line sprintf("UINT64_C(0x%s), ", $i)
             rows = rows sprintf("    { %s},\n", line)
             count++
         }
         END { printf "#define %s_SAMPLES %dU\nstatic const uint64_t %s_increments[%d][6] = {\n%s};\n", upper, count, name, count, rows }
-    ' "$out/chains/$1/increments.chain"
+    ' "$out/chains/$1/$2.chain"
     awk -v name="$1" '
         $1 == "initial:" {
             line = ""
@@ -74,12 +74,14 @@ flight() {
         }
     ' "$out/chains/$1/f64-local-level-textbook.chain"
 }
-# The small target has room for one flight.
-for flights in paper turns both; do
-    mkdir -p "$out/flights/$flights"
-    for scene in paper turns; do
-        if [ "$flights" = both ] || [ "$flights" = "$scene" ]; then flight "$scene"; fi
-    done >"$out/flights/$flights/flights.h"
+# The small target has room for one flight, and none for the sensors.
+for stage in increments noise; do
+    for flights in paper turns both; do
+        mkdir -p "$out/flights/$stage/$flights"
+        for scene in paper turns; do
+            if [ "$flights" = both ] || [ "$flights" = "$scene" ]; then flight "$scene" $stage; fi
+        done >"$out/flights/$stage/$flights/flights.h"
+    done
 done
 # What the digests have to be.
 for scene in paper turns; do
@@ -127,13 +129,13 @@ for pair in "${compilers[@]}"; do
     done
     "$cc" "${c99[@]}" $examples/desktop/desktop.c "$out/libschuler.a" -lm -o "$at/desktop"
     "$at/desktop"
-    "$cc" "${c99[@]}" -I"$out/flights/both" $examples/digests/*.c "$out/libschuler.a" -o "$at/digests"
+    "$cc" "${c99[@]}" -I"$out/flights/increments/both" $examples/digests/*.c "$out/libschuler.a" -o "$at/digests"
     "$at/digests" >"$at/digests.txt"
     digests "$cc on $(uname -m)" "$at/digests.txt" 14
     "$cxx" "${cpp17[@]}" $examples/cpp/flight.cpp "$out/libschuler.a" -o "$at/flight"
     "$at/flight"
     # C++ flies the same files.
-    "$cxx" "${cpp17[@]}" -I"$out/flights/both" $examples/cpp/digests.cpp "$out/libschuler.a" -o "$at/digests-cpp"
+    "$cxx" "${cpp17[@]}" -I"$out/flights/increments/both" $examples/cpp/digests.cpp "$out/libschuler.a" -o "$at/digests-cpp"
     "$at/digests-cpp" >"$at/digests-cpp.txt"
     digests "$cxx on $(uname -m)" "$at/digests-cpp.txt" 4
     "$cc" "${c99[@]}" -g -fsanitize=address,undefined -fno-sanitize-recover=all host/c/tests/misuse.c \
@@ -214,14 +216,14 @@ m4f=(-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16)
 m0=(-mcpu=cortex-m0 -mthumb -mfloat-abi=soft)
 # image FOLDER CPU... -- SOURCE...: links an image from C sources and the archive of FOLDER.
 bare=(-std=c99 "${warnings[@]}" -Os -ffp-contract=off -ffreestanding -ffunction-sections -fdata-sections -Ihost/c/include
-    -L$examples/bare -nostartfiles --specs=nosys.specs -Wl,--gc-sections)
+    -L$examples/bare -nostartfiles --specs=nosys.specs -Wl,--gc-sections -Wl,-z,noexecstack)
 # run MACHINE IMAGE: what an image says.
 run() {
     timeout 600 qemu-system-arm -machine "$1" -display none -monitor none -serial none \
         -semihosting-config enable=on,target=native,chardev=said -chardev stdio,id=said -kernel "$2"
 }
-for board in m4f:thumbv7em-none-eabihf:mps2-an386 m0:thumbv6m-none-eabi:microbit; do
-    IFS=: read -r name triple machine <<<"$board"
+for board in m4f:thumbv7em-none-eabihf:mps2-an386:increments: m0:thumbv6m-none-eabi:microbit:noise:-DMEASURED; do
+    IFS=: read -r name triple machine stage measured <<<"$board"
     at=$out/$name
     mkdir -p "$at"
     status=0
@@ -235,7 +237,7 @@ for board in m4f:thumbv7em-none-eabihf:mps2-an386 m0:thumbv6m-none-eabi:microbit
     declare -n cpu=$name
     : >"$at/digests.txt"
     for scene in paper turns; do
-        arm-none-eabi-gcc "${cpu[@]}" "${bare[@]}" -T $name.ld -I"$out/flights/$scene" $examples/digests/digests.c \
+        arm-none-eabi-gcc "${cpu[@]}" "${bare[@]}" -T $name.ld $measured -I"$out/flights/$stage/$scene" $examples/digests/digests.c \
             $examples/bare/*.c "$at/libschuler.a" -o "$at/digests-$scene.elf"
         run $machine "$at/digests-$scene.elf" >>"$at/digests.txt" || fail "$name, $scene: $(tail -3 "$at/digests.txt")"
     done

@@ -56,16 +56,16 @@ static void say_digest(const char *name, const char *stage, const schuler_digest
     X(f32_local_level_textbook, "f32-local-level-textbook", single)                     \
     X(f64_local_level_textbook, "f64-local-level-textbook", twice)
 
-#define STATES(name, words, sample) \
-    static schuler_##name name;     \
-    static schuler_digest digest_##name;
-#define START(name, words, sample)                                              \
-    status |= schuler_##name##_start(&name, SCHULER_ABI, of->rate_hz, 0U, &initial); \
-    status |= schuler_digest_start(&digest_##name, SCHULER_ABI);
-#define PUSH(name, words, sample)                  \
-    status |= schuler_##name##_push(&name, &sample); \
-    status |= schuler_##name##_digest(&name, &digest_##name);
-#define SAY(name, words, sample) say_digest(of->name, words, &digest_##name);
+#define STATES(id, words, sample) \
+    static schuler_##id id;       \
+    static schuler_digest digest_##id;
+#define START(id, words, sample)                                                   \
+    status |= schuler_##id##_start(&id, SCHULER_ABI, of->rate_hz, 0U, &initial);    \
+    status |= schuler_digest_start(&digest_##id, SCHULER_ABI);
+#define PUSH(id, words, sample)                \
+    status |= schuler_##id##_push(&id, &sample); \
+    status |= schuler_##id##_digest(&id, &digest_##id);
+#define SAY(id, words, sample) say_digest(of->name, words, &digest_##id);
 
 static int fly(const scene *of)
 {

@@ -89,7 +89,11 @@ motion compensated(const increment *now, const increment *before)
     vector sculling = plus(cross(before->angle, velocity), cross(before->velocity, angle));
     motion body;
 
+#ifdef PLANTED
+    body.rotation = rotation(plus(angle, times(cross(angle, before->angle), 1.0 / 12.0)));
+#else
     body.rotation = rotation(plus(angle, times(cross(before->angle, angle), 1.0 / 12.0)));
+#endif
     body.velocity = plus(plus(plus(velocity, times(swept, first)), times(cross(angle, swept), second)),
                          times(sculling, 1.0 / 12.0));
     return body;
@@ -148,11 +152,7 @@ void step(state *at, const motion *body, double h)
     turn = times(frame, h);
 
     gained = turned_by(at->attitude, body->velocity);
-#ifdef PLANTED
-    pull = times(cross(frame, v), -1.0);
-#else
     pull = times(cross(plus(frame, earth), v), -1.0);
-#endif
     pull.z = pull.z + gravity(s, altitude);
     change = plus(minus(gained, times(cross(turn, gained), 0.5)), times(pull, h));
     mean = plus(at->velocity, times(change, 0.5));

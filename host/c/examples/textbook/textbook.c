@@ -4,7 +4,7 @@
  *     textbook noise.chain f64-local-level-textbook.chain > mine.chain
  *     schuler audit compare f64-local-level-textbook.chain mine.chain
  *
- * Compiled with -DPLANTED it has a fault: the Earth's rate counts once in the Coriolis term, where it has to count twice.
+ * Compiled with -DPLANTED it has a fault: the factors of the coning correction are exchanged, which turns its sign.
  * Compile it with -ffp-contract=off: a fused multiplication and addition rounds once where the others round twice.
  */
 

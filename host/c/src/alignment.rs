@@ -210,6 +210,14 @@ alignment!(f64, 0xf000_0004, 74);
 /// For the tests.
 #[cfg(not(feature = "archive"))]
 pub(crate) fn needs(see: &mut dyn FnMut(&str, usize, usize)) {
-    see("schuler_alignment_f32", size_of::<schuler_alignment_f32>(), crate::held::size::<Still<f32>>());
-    see("schuler_alignment_f64", size_of::<schuler_alignment_f64>(), crate::held::size::<Still<f64>>());
+    see(
+        "schuler_alignment_f32",
+        size_of::<schuler_alignment_f32>(),
+        crate::held::size::<Still<f32>>(),
+    );
+    see(
+        "schuler_alignment_f64",
+        size_of::<schuler_alignment_f64>(),
+        crate::held::size::<Still<f64>>(),
+    );
 }

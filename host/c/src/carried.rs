@@ -3,7 +3,9 @@
 use crate::held::{Keep, held_mut, keep};
 use crate::pointer::{get, put};
 use crate::results::result;
-use crate::values::{schuler_increment_f32, schuler_increment_f64, schuler_pair_f32, schuler_pair_f64};
+use crate::values::{
+    schuler_increment_f32, schuler_increment_f64, schuler_pair_f32, schuler_pair_f64,
+};
 use schuler::flight::carried::Carried;
 use schuler::math::compensated::Pair;
 
@@ -64,7 +66,9 @@ pub unsafe extern "C" fn schuler_pair_narrow(
     narrow: *mut schuler_pair_f32,
 ) -> i32 {
     // SAFETY: as promised.
-    result(unsafe { get(wide).and_then(|wide| put(narrow, || Ok(Pair::narrow(wide.into()).into()))) })
+    result(unsafe {
+        get(wide).and_then(|wide| put(narrow, || Ok(Pair::narrow(wide.into()).into())))
+    })
 }
 
 /// The interval of a rate in hertz, s, to twice the digits of a double. Fails with SCHULER_ERROR_NULL or _MISALIGNED.
@@ -73,7 +77,10 @@ pub unsafe extern "C" fn schuler_pair_narrow(
 ///
 /// The pointer is null or leads to what its type says.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn schuler_interval_of(rate_hz: f64, interval_s: *mut schuler_pair_f64) -> i32 {
+pub unsafe extern "C" fn schuler_interval_of(
+    rate_hz: f64,
+    interval_s: *mut schuler_pair_f64,
+) -> i32 {
     // SAFETY: as promised.
     result(unsafe { put(interval_s, || Ok(Pair::new(rate_hz).reciprocal().into())) })
 }

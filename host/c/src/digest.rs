@@ -68,9 +68,14 @@ pub unsafe extern "C" fn schuler_digest_add(
 ///
 /// Each pointer is null or leads to what its type says, which nothing writes meanwhile.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn schuler_digest_value(digest: *const schuler_digest, value: *mut u64) -> i32 {
+pub unsafe extern "C" fn schuler_digest_value(
+    digest: *const schuler_digest,
+    value: *mut u64,
+) -> i32 {
     // SAFETY: as promised.
-    result(unsafe { held::<_, Running>(digest).and_then(|digest| put(value, || Ok(digest.digest.value()))) })
+    result(unsafe {
+        held::<_, Running>(digest).and_then(|digest| put(value, || Ok(digest.digest.value())))
+    })
 }
 
 /// For the tests.

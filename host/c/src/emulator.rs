@@ -5,6 +5,7 @@ use crate::pointer::{get, put};
 use crate::results::{Code, result};
 use crate::values::{schuler_increment_f32, schuler_increment_f64, vector};
 use pastey::paste;
+use schuler::sensor::Timing;
 use schuler::sensor::constant::Constant;
 use schuler::sensor::emulator::{Emulator, State};
 use schuler::sensor::flicker::Flicker;
@@ -18,7 +19,6 @@ use schuler::sensor::scale_factor::ScaleFactor;
 use schuler::sensor::triad::Triad;
 use schuler::sensor::turn_on::TurnOn;
 use schuler::sensor::white::White;
-use schuler::sensor::Timing;
 
 /// An emulator with the state of one run.
 struct Run<R: schuler::noise::Deviate> {

@@ -30,7 +30,10 @@ pub(crate) fn check_abi(abi: u32) -> Result<(), Code> {
 /// Whether the caller's memory can hold a state, and the state's place in it.
 fn place<O, T: Keep>(memory: *mut O) -> Result<*mut Held<T>, Code> {
     const {
-        assert!(size_of::<Held<T>>() <= size_of::<O>(), "a state has grown: enter its size in sizes.rs");
+        assert!(
+            size_of::<Held<T>>() <= size_of::<O>(),
+            "a state has grown: enter its size in sizes.rs"
+        );
         assert!(align_of::<Held<T>>() <= align_of::<O>());
     }
     if memory.is_null() {

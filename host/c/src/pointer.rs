@@ -29,7 +29,10 @@ pub(crate) unsafe fn get<T: Copy>(pointer: *const T) -> Result<T, Code> {
 /// # Safety
 ///
 /// The pointer is null, misaligned, or one to memory for a `T`.
-pub(crate) unsafe fn put<T>(pointer: *mut T, value: impl FnOnce() -> Result<T, Code>) -> Result<(), Code> {
+pub(crate) unsafe fn put<T>(
+    pointer: *mut T,
+    value: impl FnOnce() -> Result<T, Code>,
+) -> Result<(), Code> {
     admit(pointer)?;
     let value = value()?;
     // SAFETY: it is neither null nor misaligned, so it leads to memory for a `T`.

@@ -1,6 +1,7 @@
 //! The size of each state in words of eight bytes, and of its stored form in bytes: those of a processor of 64 bits,
 //! the largest. `tests/header.rs` writes this file, with SCHULER_WRITE=1 in its environment.
 
+#[rustfmt::skip]
 macro_rules! words {
     (f64_local_level_h0b4a0) => { 117 };
     (f64_local_level_h0b4a0_any) => { 126 };
@@ -33,6 +34,7 @@ macro_rules! words {
 }
 pub(crate) use words;
 
+#[rustfmt::skip]
 macro_rules! saved {
     (f64_local_level_h0b4a0) => { 768 };
     (f64_local_level_h0b4a0_any) => { 840 };

@@ -111,11 +111,21 @@ where
 }
 
 target!(schuler_target, Every, 0xf000_0008, 224, "with every navigator that the link knows");
-target!(schuler_target_f32, Single, 0xf000_0009, 142, "in single precision and local axes, without a double");
+target!(
+    schuler_target_f32,
+    Single,
+    0xf000_0009,
+    142,
+    "in single precision and local axes, without a double"
+);
 
 /// For the tests.
 #[cfg(not(feature = "archive"))]
 pub(crate) fn needs(see: &mut dyn FnMut(&str, usize, usize)) {
     see("schuler_target", size_of::<schuler_target>(), crate::held::size::<Target<Every>>());
-    see("schuler_target_f32", size_of::<schuler_target_f32>(), crate::held::size::<Target<Single>>());
+    see(
+        "schuler_target_f32",
+        size_of::<schuler_target_f32>(),
+        crate::held::size::<Target<Single>>(),
+    );
 }

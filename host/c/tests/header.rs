@@ -82,8 +82,8 @@ fn sizes() -> String {
     format!(
         "//! The size of each state in words of eight bytes, and of its stored form in bytes: those of a processor of \
          64 bits,\n//! the largest. `tests/header.rs` writes this file, with SCHULER_WRITE=1 in its environment.\n\n\
-         macro_rules! words {{\n{words}}}\npub(crate) use words;\n\n\
-         macro_rules! saved {{\n{saved}}}\npub(crate) use saved;\n"
+         #[rustfmt::skip]\nmacro_rules! words {{\n{words}}}\npub(crate) use words;\n\n\
+         #[rustfmt::skip]\nmacro_rules! saved {{\n{saved}}}\npub(crate) use saved;\n"
     )
 }
 

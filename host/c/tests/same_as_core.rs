@@ -126,21 +126,41 @@ macro_rules! same {
 }
 
 same!(single, f32_local_level_h0b4a0, f32, Navigator4<f32>, |navigator, state, sample| None);
-same!(double, f64_earth_fixed_h2b4a2, f64, EarthFixedNavigator8<f64>, |navigator, state, sample| None);
-same!(textbook, f32_local_level_textbook, f32, TextbookNavigator<f32>, |navigator, state, sample| (
-    schuler_pair_f32 { value: 0.021, rest: 1e-10 },
-    Pair { hi: 0.021, lo: 1e-10 }
-));
-same!(any_interval, f64_local_level_h2b4a2_any, f64, Strapdown<LocalLevel<Pair<f64>>, Unequal<H2B4A2>>, |navigator, state, sample| (
-    schuler_pair_f64 { value: 0.019, rest: 1e-19 },
-    Pair { hi: 0.019, lo: 1e-19 }
-));
+same!(
+    double,
+    f64_earth_fixed_h2b4a2,
+    f64,
+    EarthFixedNavigator8<f64>,
+    |navigator, state, sample| None
+);
+same!(
+    textbook,
+    f32_local_level_textbook,
+    f32,
+    TextbookNavigator<f32>,
+    |navigator, state, sample| (
+        schuler_pair_f32 { value: 0.021, rest: 1e-10 },
+        Pair { hi: 0.021, lo: 1e-10 }
+    )
+);
+same!(
+    any_interval,
+    f64_local_level_h2b4a2_any,
+    f64,
+    Strapdown<LocalLevel<Pair<f64>>, Unequal<H2B4A2>>,
+    |navigator, state, sample| (
+        schuler_pair_f64 { value: 0.019, rest: 1e-19 },
+        Pair { hi: 0.019, lo: 1e-19 }
+    )
+);
 
 #[test]
 fn results_say_what_the_errors_of_the_core_say() {
     use schuler::strapdown::limits::{Rejected, StartError};
     let said = |text: String| RESULTS.iter().any(|(_, _, known)| *known == text);
-    for error in [StartError::Interval, StartError::Position, StartError::Attitude, StartError::Pole] {
+    for error in
+        [StartError::Interval, StartError::Position, StartError::Attitude, StartError::Pole]
+    {
         assert!(said(error.to_string()), "{error}");
     }
     for error in [Rejected::Angle, Rejected::Place, Rejected::Turn, Rejected::Held] {

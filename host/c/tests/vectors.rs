@@ -82,7 +82,8 @@ fn of_carried(text: &mut String) {
 
 /// Every file with its text.
 fn files() -> [(&'static str, String); 5] {
-    let [mut gravities, mut radii, mut textbook, mut fit, mut carried] = [const { String::new() }; 5];
+    let [mut gravities, mut radii, mut textbook, mut fit, mut carried] =
+        [const { String::new() }; 5];
     of_latitudes::<f64>(&mut gravities, &mut radii);
     of_latitudes::<f32>(&mut gravities, &mut radii);
     of_samples::<f64>(&mut textbook);
@@ -132,5 +133,7 @@ fn a_fit_gives_back_its_samples() {
         }
         worst
     }
-    assert!(residual::<2>(0, 2) < 1e-14 && residual::<4>(0, 4) < 1e-14 && residual::<8>(2, 4) < 1e-12);
+    assert!(
+        residual::<2>(0, 2) < 1e-14 && residual::<4>(0, 4) < 1e-14 && residual::<8>(2, 4) < 1e-12
+    );
 }

@@ -14,6 +14,7 @@
 //! | `compare` | the first difference of two chains |
 //! | `heads` | heads that contradict each other |
 //! | `tolerance` | how far fields may be apart |
+//! | `verdict` | whether they are, in words |
 //! | `sensitivity` | the effect of one unit in the last place |
 //! | `show` | results as tables |
 //! | `page` | results as HTML and JSON |
@@ -34,6 +35,7 @@ pub mod record;
 pub mod sensitivity;
 mod show;
 pub mod tolerance;
+mod verdict;
 
 use crate::cli::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 use chain::Chain;
@@ -150,8 +152,15 @@ fn compare(args: &CompareArgs) -> Result<(), FlightError> {
         let heads = heads::contradictions(&one, &other);
         say(&show::heads(&heads))?;
         let (held, parting) = compare::compare(&one, &other, &b)?;
-        let fields = (!rules.is_empty()).then(|| tolerance::judge(&pair::pairs(&one, &other, &b)?.0, &rules, &b));
-        let compared = show::Compared { chain: name.clone(), heads, held, parting, fields: fields.transpose()? };
+        let fields = (!rules.is_empty())
+            .then(|| tolerance::judge(&pair::pairs(&one, &other, &b)?.0, &rules, &b));
+        let compared = show::Compared {
+            chain: name.clone(),
+            heads,
+            held,
+            parting,
+            fields: fields.transpose()?,
+        };
         say(&show::compared(&compared, one.get("rate_hz")))?;
         found.push(compared);
     }

@@ -10,6 +10,7 @@ use super::pair::{Common, Partly, Shorter};
 use super::record::Named;
 use super::sensitivity::Effect;
 use super::tolerance::FieldVerdict;
+use super::verdict;
 use schuler_report::axis::printed;
 use schuler_simulator::number::Quantity;
 use schuler_simulator::scene::Scene;
@@ -42,9 +43,15 @@ impl Compared {
 
 /// What heads say against each other, before anything else.
 pub fn heads(heads: &[Contradiction]) -> String {
-    let each = heads.iter().map(|Contradiction { key, values: [a, b] }| format!("{key} is {a} in the one, {b} in the other"));
+    let each = heads.iter().map(|Contradiction { key, values: [a, b] }| {
+        format!("{key} is {a} in the one, {b} in the other")
+    });
     let all: Vec<_> = each.collect();
-    if all.is_empty() { String::new() } else { format!("the heads contradict each other: {}\n", all.join("; ")) }
+    if all.is_empty() {
+        String::new()
+    } else {
+        format!("the heads contradict each other: {}\n", all.join("; "))
+    }
 }
 
 /// The digests of what was recorded.
@@ -102,7 +109,9 @@ pub fn compared(compared: &Compared, rate_hz: Option<&str>) -> String {
     let Compared { chain, held, parting, fields, .. } = compared;
     let mut text = match (parting, fields) {
         (None, None) => format!("{chain}: {}\n", same(held)),
-        (_, Some(fields)) => format!("{chain}: {}\n{}", near(fields), verdict_table(fields).text()),
+        (_, Some(fields)) => {
+            format!("{chain}: {}\n{}", verdict::near(fields), verdict::table(fields).text())
+        }
         (Some(parting), None) => {
             let rate_hz = rate_hz.and_then(|text| text.parse().ok());
             format!("{chain}: part\n{}", part(parting, rate_hz))
@@ -112,44 +121,6 @@ pub fn compared(compared: &Compared, rate_hz: Option<&str>) -> String {
         text += &format!("  {remark}\n");
     }
     text
-}
-
-/// The verdict on all fields, in a line.
-fn near(fields: &[FieldVerdict]) -> String {
-    let beyond = fields.iter().filter(|field| field.beyond > 0);
-    let first = beyond.clone().min_by_key(|field| field.first);
-    match first {
-        None => format!("all of {} words are within their limits", fields.len()),
-        Some(FieldVerdict { stage, field, first, .. }) => {
-            let sample = first.map_or_else(String::new, |sample| format!(", from sample {sample} on"));
-            format!("{} of {} words are beyond: first stage {stage}, field {field}{sample}", beyond.count(), fields.len())
-        }
-    }
-}
-
-/// The verdict on each field, with its worst.
-fn verdict_table(fields: &[FieldVerdict]) -> Table {
-    let heads = ["stage", "field", "limit", "verdict", "worst, ulps", "worst, difference", "at sample"];
-    let mut table = Table::new("every word at its worst", &heads);
-    for FieldVerdict { stage, field, limit, rows, beyond, sample, worst, .. } in fields {
-        let verdict = match (beyond, worst) {
-            (0, None) => "the same bits".to_owned(),
-            (0, _) => "within".to_owned(),
-            _ => format!("BEYOND in {beyond} of {rows} rows"),
-        };
-        let (ulps, difference) = worst.as_ref().map_or((0, 0.0), |worst| (worst.ulps, worst.difference));
-        let sample = sample.map_or_else(String::new, |sample| sample.to_string());
-        table.rows.push(vec![
-            stage.clone(),
-            field.clone(),
-            limit.clone(),
-            verdict,
-            ulps.to_string(),
-            format!("{difference:.3e}"),
-            sample,
-        ]);
-    }
-    table
 }
 
 /// What is not compared, though a chain has it.
@@ -188,7 +159,7 @@ pub fn partings(found: &[Compared]) -> Vec<Table> {
     let mut tables = Vec::new();
     for Compared { chain, heads: contradicting, held, parting, fields } in found {
         let verdict = match fields {
-            Some(fields) => near(fields),
+            Some(fields) => verdict::near(fields),
             None => parting.as_ref().map_or("the same bits".to_owned(), place),
         };
         let (rows, digests) = (held.rows.to_string(), held.digests.to_string());
@@ -202,7 +173,7 @@ pub fn partings(found: &[Compared]) -> Vec<Table> {
             table
         }));
         tables.extend(fields.as_ref().map(|fields| {
-            let mut table = verdict_table(fields);
+            let mut table = verdict::table(fields);
             table.title = format!("{chain}: {}", table.title);
             table
         }));

@@ -23,7 +23,11 @@ pub struct Rule {
 }
 
 impl Rule {
-    fn parse(text: &str, limit: impl Fn(&str) -> Option<Limit>, accepted: &str) -> Result<Self, Complaint> {
+    fn parse(
+        text: &str,
+        limit: impl Fn(&str) -> Option<Limit>,
+        accepted: &str,
+    ) -> Result<Self, Complaint> {
         let (field, number) = match text.rsplit_once('=') {
             Some((field, number)) => (Some(field.to_owned()), number),
             None => (None, text),
@@ -71,8 +75,13 @@ pub struct FieldVerdict {
 }
 
 /// The verdict on every word that two chains have in common. An error where a rule names no field of them.
-pub fn judge(pairs: &[Pair], rules: &[Rule], file_b: &str) -> Result<Vec<FieldVerdict>, InputError> {
-    let mut fields: Vec<&str> = pairs.iter().flat_map(|p| p.a.fields.iter().map(String::as_str)).collect();
+pub fn judge(
+    pairs: &[Pair],
+    rules: &[Rule],
+    file_b: &str,
+) -> Result<Vec<FieldVerdict>, InputError> {
+    let mut fields: Vec<&str> =
+        pairs.iter().flat_map(|p| p.a.fields.iter().map(String::as_str)).collect();
     fields.dedup();
     for Rule { field, .. } in rules {
         if let Some(name) = field.as_deref().filter(|name| !fields.contains(name)) {
@@ -80,8 +89,11 @@ pub fn judge(pairs: &[Pair], rules: &[Rule], file_b: &str) -> Result<Vec<FieldVe
             return Err(InputError::file(file_b, Complaint::new(what, fields.join(", "))));
         }
     }
-    let words = pairs.iter().flat_map(|pair| (0..pair.a.fields.len()).map(move |word| (pair, word)));
-    Ok(words.map(|(pair, word)| of_word(pair, word, &limits(rules, &pair.a.fields[word]))).collect())
+    let words =
+        pairs.iter().flat_map(|pair| (0..pair.a.fields.len()).map(move |word| (pair, word)));
+    Ok(words
+        .map(|(pair, word)| of_word(pair, word, &limits(rules, &pair.a.fields[word])))
+        .collect())
 }
 
 /// The limits of a field: its own, or else those of all. One that holds is enough.
@@ -130,7 +142,8 @@ fn of_word(pair: &Pair, word: usize, limits: &[Limit]) -> FieldVerdict {
 /// is no number is the largest.
 fn is_worse(a: &Difference, b: &Difference, limits: &[Limit]) -> bool {
     let by_value = matches!(limits, [Limit::Within(_), ..]);
-    let size = |d: &Difference| if d.difference.is_nan() { f64::INFINITY } else { d.difference.abs() };
+    let size =
+        |d: &Difference| if d.difference.is_nan() { f64::INFINITY } else { d.difference.abs() };
     if by_value { size(a) > size(b) } else { a.ulps > b.ulps }
 }
 
@@ -161,7 +174,10 @@ mod tests {
     /// Rows beyond the limit, and the worst sample, of each word.
     fn judged(rules: &[Rule]) -> Vec<(usize, Option<u64>)> {
         let next = 1.0_f64.next_up();
-        let (a, b) = (chain([[1.0; 3], [1.0; 3]]), chain([[next, 1.0, 1.5], [next.next_up(), 1.0, f64::NAN]]));
+        let (a, b) = (
+            chain([[1.0; 3], [1.0; 3]]),
+            chain([[next, 1.0, 1.5], [next.next_up(), 1.0, f64::NAN]]),
+        );
         let (pairs, _) = pairs(&a, &b, "").unwrap();
         let judged = judge(&pairs, rules, "").unwrap();
         judged.iter().map(|verdict| (verdict.beyond, verdict.sample)).collect()
@@ -190,6 +206,9 @@ mod tests {
         let a = chain([[1.0; 3], [1.0; 3]]);
         let (pairs, _) = pairs(&a, &a, "b").unwrap();
         let error = judge(&pairs, &[Rule::ulps("q=1").unwrap()], "b").unwrap_err().to_string();
-        assert!(error.contains("has no field q in common") && error.contains("accepted: p, v"), "{error}");
+        assert!(
+            error.contains("has no field q in common") && error.contains("accepted: p, v"),
+            "{error}"
+        );
     }
 }

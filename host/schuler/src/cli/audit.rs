@@ -1,7 +1,7 @@
 //! The commands of `schuler audit`.
 
-use crate::audit::tolerance::Rule;
 use super::{FlightOptions, Handling, NavigatorOptions, load, options};
+use crate::audit::tolerance::Rule;
 use clap::{Args, Subcommand};
 use schuler_simulator::input::InputError;
 use schuler_simulator::scene::Scene;

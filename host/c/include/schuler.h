@@ -971,65 +971,6 @@ int32_t schuler_f64_local_level_h0b4a0_start_own(schuler_f64_local_level_h0b4a0 
                                                  uint32_t order,
                                                  const schuler_solution_f64 *initial);
 
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_push(schuler_f64_local_level_h0b4a0 *state,
-                                            const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_local_level_h0b4a0_push_rates(schuler_f64_local_level_h0b4a0 *state,
-                                                  const schuler_rates_f64 *at_start,
-                                                  const schuler_rates_f64 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_local_level_h0b4a0_finish(schuler_f64_local_level_h0b4a0 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_read(const schuler_f64_local_level_h0b4a0 *state,
-                                            schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_local_level_h0b4a0_read_own(const schuler_f64_local_level_h0b4a0 *state,
-                                                schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_predict(const schuler_f64_local_level_h0b4a0 *state,
-                                               schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_local_level_h0b4a0_predict_own(const schuler_f64_local_level_h0b4a0 *state,
-                                                   schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_correct(schuler_f64_local_level_h0b4a0 *state,
-                                               const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_hold_vertical(schuler_f64_local_level_h0b4a0 *state,
-                                                     double altitude_m,
-                                                     double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_local_level_h0b4a0_integrated(const schuler_f64_local_level_h0b4a0 *state,
-                                                  uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_local_level_h0b4a0_digest(const schuler_f64_local_level_h0b4a0 *state,
-                                              schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_local_level_h0b4a0_digest_end(const schuler_f64_local_level_h0b4a0 *state,
-                                                  schuler_digest *digest);
-
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_LOCAL_LEVEL_H0B4A0_SAVED of them, to the front of `length`. Fails with SCHULER_ERROR_SPACE,
  * and as _finish does; nothing is written then. */
@@ -1052,6 +993,65 @@ int32_t schuler_f64_local_level_h0b4a0_forget(schuler_f64_local_level_h0b4a0 *st
 /** Bytes that the library needs of a schuler_f64_local_level_h0b4a0: at most its size. */
 size_t schuler_f64_local_level_h0b4a0_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_push(schuler_f64_local_level_h0b4a0 *state,
+                                            const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_local_level_h0b4a0_push_rates(schuler_f64_local_level_h0b4a0 *state,
+                                                  const schuler_rates_f64 *at_start,
+                                                  const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_local_level_h0b4a0_finish(schuler_f64_local_level_h0b4a0 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_correct(schuler_f64_local_level_h0b4a0 *state,
+                                               const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_hold_vertical(schuler_f64_local_level_h0b4a0 *state,
+                                                     double altitude_m,
+                                                     double down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_read(const schuler_f64_local_level_h0b4a0 *state,
+                                            schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_local_level_h0b4a0_read_own(const schuler_f64_local_level_h0b4a0 *state,
+                                                schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_predict(const schuler_f64_local_level_h0b4a0 *state,
+                                               schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_local_level_h0b4a0_predict_own(const schuler_f64_local_level_h0b4a0 *state,
+                                                   schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_local_level_h0b4a0_integrated(const schuler_f64_local_level_h0b4a0 *state,
+                                                  uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_local_level_h0b4a0_digest(const schuler_f64_local_level_h0b4a0 *state,
+                                              schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_local_level_h0b4a0_digest_end(const schuler_f64_local_level_h0b4a0 *state,
+                                                  schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -1069,78 +1069,6 @@ int32_t schuler_f64_local_level_h0b4a0_any_start_own(schuler_f64_local_level_h0b
                                                      const schuler_pair_f64 *interval_s,
                                                      uint32_t order,
                                                      const schuler_solution_f64 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_any_push(schuler_f64_local_level_h0b4a0_any *state,
-                                                const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_local_level_h0b4a0_any_push_rates(schuler_f64_local_level_h0b4a0_any *state,
-                                                      const schuler_rates_f64 *at_start,
-                                                      const schuler_rates_f64 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f64_local_level_h0b4a0_any_push_over(schuler_f64_local_level_h0b4a0_any *state,
-                                                     const schuler_increment_f64 *sample,
-                                                     const schuler_pair_f64 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f64_local_level_h0b4a0_any_push_rates_over(schuler_f64_local_level_h0b4a0_any *state,
-                                                           const schuler_rates_f64 *at_start,
-                                                           const schuler_rates_f64 *at_end,
-                                                           const schuler_pair_f64 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_local_level_h0b4a0_any_finish(schuler_f64_local_level_h0b4a0_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_any_read(const schuler_f64_local_level_h0b4a0_any *state,
-                                                schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_local_level_h0b4a0_any_read_own(const schuler_f64_local_level_h0b4a0_any *state,
-                                                    schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_any_predict(const schuler_f64_local_level_h0b4a0_any *state,
-                                                   schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_local_level_h0b4a0_any_predict_own(const schuler_f64_local_level_h0b4a0_any *state,
-                                                       schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_any_correct(schuler_f64_local_level_h0b4a0_any *state,
-                                                   const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_h0b4a0_any_hold_vertical(schuler_f64_local_level_h0b4a0_any *state,
-                                                         double altitude_m,
-                                                         double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_local_level_h0b4a0_any_integrated(const schuler_f64_local_level_h0b4a0_any *state,
-                                                      uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_local_level_h0b4a0_any_digest(const schuler_f64_local_level_h0b4a0_any *state,
-                                                  schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_local_level_h0b4a0_any_digest_end(const schuler_f64_local_level_h0b4a0_any *state,
-                                                      schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_LOCAL_LEVEL_H0B4A0_ANY_SAVED of them, to the front of `length`. Fails with
@@ -1164,6 +1092,78 @@ int32_t schuler_f64_local_level_h0b4a0_any_forget(schuler_f64_local_level_h0b4a0
 /** Bytes that the library needs of a schuler_f64_local_level_h0b4a0_any: at most its size. */
 size_t schuler_f64_local_level_h0b4a0_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_any_push(schuler_f64_local_level_h0b4a0_any *state,
+                                                const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_local_level_h0b4a0_any_push_rates(schuler_f64_local_level_h0b4a0_any *state,
+                                                      const schuler_rates_f64 *at_start,
+                                                      const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_local_level_h0b4a0_any_finish(schuler_f64_local_level_h0b4a0_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_any_correct(schuler_f64_local_level_h0b4a0_any *state,
+                                                   const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_any_hold_vertical(schuler_f64_local_level_h0b4a0_any *state,
+                                                         double altitude_m,
+                                                         double down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f64_local_level_h0b4a0_any_push_over(schuler_f64_local_level_h0b4a0_any *state,
+                                                     const schuler_increment_f64 *sample,
+                                                     const schuler_pair_f64 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f64_local_level_h0b4a0_any_push_rates_over(schuler_f64_local_level_h0b4a0_any *state,
+                                                           const schuler_rates_f64 *at_start,
+                                                           const schuler_rates_f64 *at_end,
+                                                           const schuler_pair_f64 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_any_read(const schuler_f64_local_level_h0b4a0_any *state,
+                                                schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_local_level_h0b4a0_any_read_own(const schuler_f64_local_level_h0b4a0_any *state,
+                                                    schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_h0b4a0_any_predict(const schuler_f64_local_level_h0b4a0_any *state,
+                                                   schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_local_level_h0b4a0_any_predict_own(const schuler_f64_local_level_h0b4a0_any *state,
+                                                       schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_local_level_h0b4a0_any_integrated(const schuler_f64_local_level_h0b4a0_any *state,
+                                                      uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_local_level_h0b4a0_any_digest(const schuler_f64_local_level_h0b4a0_any *state,
+                                                  schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_local_level_h0b4a0_any_digest_end(const schuler_f64_local_level_h0b4a0_any *state,
+                                                      schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -1181,65 +1181,6 @@ int32_t schuler_f64_local_level_h2b4a2_start_own(schuler_f64_local_level_h2b4a2 
                                                  const schuler_pair_f64 *interval_s,
                                                  uint32_t order,
                                                  const schuler_solution_f64 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_push(schuler_f64_local_level_h2b4a2 *state,
-                                            const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_local_level_h2b4a2_push_rates(schuler_f64_local_level_h2b4a2 *state,
-                                                  const schuler_rates_f64 *at_start,
-                                                  const schuler_rates_f64 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_local_level_h2b4a2_finish(schuler_f64_local_level_h2b4a2 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_read(const schuler_f64_local_level_h2b4a2 *state,
-                                            schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_local_level_h2b4a2_read_own(const schuler_f64_local_level_h2b4a2 *state,
-                                                schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_predict(const schuler_f64_local_level_h2b4a2 *state,
-                                               schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_local_level_h2b4a2_predict_own(const schuler_f64_local_level_h2b4a2 *state,
-                                                   schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_correct(schuler_f64_local_level_h2b4a2 *state,
-                                               const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_hold_vertical(schuler_f64_local_level_h2b4a2 *state,
-                                                     double altitude_m,
-                                                     double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_local_level_h2b4a2_integrated(const schuler_f64_local_level_h2b4a2 *state,
-                                                  uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_local_level_h2b4a2_digest(const schuler_f64_local_level_h2b4a2 *state,
-                                              schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_local_level_h2b4a2_digest_end(const schuler_f64_local_level_h2b4a2 *state,
-                                                  schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_LOCAL_LEVEL_H2B4A2_SAVED of them, to the front of `length`. Fails with SCHULER_ERROR_SPACE,
@@ -1263,6 +1204,65 @@ int32_t schuler_f64_local_level_h2b4a2_forget(schuler_f64_local_level_h2b4a2 *st
 /** Bytes that the library needs of a schuler_f64_local_level_h2b4a2: at most its size. */
 size_t schuler_f64_local_level_h2b4a2_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_push(schuler_f64_local_level_h2b4a2 *state,
+                                            const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_local_level_h2b4a2_push_rates(schuler_f64_local_level_h2b4a2 *state,
+                                                  const schuler_rates_f64 *at_start,
+                                                  const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_local_level_h2b4a2_finish(schuler_f64_local_level_h2b4a2 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_correct(schuler_f64_local_level_h2b4a2 *state,
+                                               const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_hold_vertical(schuler_f64_local_level_h2b4a2 *state,
+                                                     double altitude_m,
+                                                     double down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_read(const schuler_f64_local_level_h2b4a2 *state,
+                                            schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_local_level_h2b4a2_read_own(const schuler_f64_local_level_h2b4a2 *state,
+                                                schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_predict(const schuler_f64_local_level_h2b4a2 *state,
+                                               schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_local_level_h2b4a2_predict_own(const schuler_f64_local_level_h2b4a2 *state,
+                                                   schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_local_level_h2b4a2_integrated(const schuler_f64_local_level_h2b4a2 *state,
+                                                  uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_local_level_h2b4a2_digest(const schuler_f64_local_level_h2b4a2 *state,
+                                              schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_local_level_h2b4a2_digest_end(const schuler_f64_local_level_h2b4a2 *state,
+                                                  schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -1280,78 +1280,6 @@ int32_t schuler_f64_local_level_h2b4a2_any_start_own(schuler_f64_local_level_h2b
                                                      const schuler_pair_f64 *interval_s,
                                                      uint32_t order,
                                                      const schuler_solution_f64 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_any_push(schuler_f64_local_level_h2b4a2_any *state,
-                                                const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_local_level_h2b4a2_any_push_rates(schuler_f64_local_level_h2b4a2_any *state,
-                                                      const schuler_rates_f64 *at_start,
-                                                      const schuler_rates_f64 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f64_local_level_h2b4a2_any_push_over(schuler_f64_local_level_h2b4a2_any *state,
-                                                     const schuler_increment_f64 *sample,
-                                                     const schuler_pair_f64 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f64_local_level_h2b4a2_any_push_rates_over(schuler_f64_local_level_h2b4a2_any *state,
-                                                           const schuler_rates_f64 *at_start,
-                                                           const schuler_rates_f64 *at_end,
-                                                           const schuler_pair_f64 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_local_level_h2b4a2_any_finish(schuler_f64_local_level_h2b4a2_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_any_read(const schuler_f64_local_level_h2b4a2_any *state,
-                                                schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_local_level_h2b4a2_any_read_own(const schuler_f64_local_level_h2b4a2_any *state,
-                                                    schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_any_predict(const schuler_f64_local_level_h2b4a2_any *state,
-                                                   schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_local_level_h2b4a2_any_predict_own(const schuler_f64_local_level_h2b4a2_any *state,
-                                                       schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_any_correct(schuler_f64_local_level_h2b4a2_any *state,
-                                                   const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_h2b4a2_any_hold_vertical(schuler_f64_local_level_h2b4a2_any *state,
-                                                         double altitude_m,
-                                                         double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_local_level_h2b4a2_any_integrated(const schuler_f64_local_level_h2b4a2_any *state,
-                                                      uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_local_level_h2b4a2_any_digest(const schuler_f64_local_level_h2b4a2_any *state,
-                                                  schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_local_level_h2b4a2_any_digest_end(const schuler_f64_local_level_h2b4a2_any *state,
-                                                      schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_LOCAL_LEVEL_H2B4A2_ANY_SAVED of them, to the front of `length`. Fails with
@@ -1375,6 +1303,78 @@ int32_t schuler_f64_local_level_h2b4a2_any_forget(schuler_f64_local_level_h2b4a2
 /** Bytes that the library needs of a schuler_f64_local_level_h2b4a2_any: at most its size. */
 size_t schuler_f64_local_level_h2b4a2_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_any_push(schuler_f64_local_level_h2b4a2_any *state,
+                                                const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_local_level_h2b4a2_any_push_rates(schuler_f64_local_level_h2b4a2_any *state,
+                                                      const schuler_rates_f64 *at_start,
+                                                      const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_local_level_h2b4a2_any_finish(schuler_f64_local_level_h2b4a2_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_any_correct(schuler_f64_local_level_h2b4a2_any *state,
+                                                   const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_any_hold_vertical(schuler_f64_local_level_h2b4a2_any *state,
+                                                         double altitude_m,
+                                                         double down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f64_local_level_h2b4a2_any_push_over(schuler_f64_local_level_h2b4a2_any *state,
+                                                     const schuler_increment_f64 *sample,
+                                                     const schuler_pair_f64 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f64_local_level_h2b4a2_any_push_rates_over(schuler_f64_local_level_h2b4a2_any *state,
+                                                           const schuler_rates_f64 *at_start,
+                                                           const schuler_rates_f64 *at_end,
+                                                           const schuler_pair_f64 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_any_read(const schuler_f64_local_level_h2b4a2_any *state,
+                                                schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_local_level_h2b4a2_any_read_own(const schuler_f64_local_level_h2b4a2_any *state,
+                                                    schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_h2b4a2_any_predict(const schuler_f64_local_level_h2b4a2_any *state,
+                                                   schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_local_level_h2b4a2_any_predict_own(const schuler_f64_local_level_h2b4a2_any *state,
+                                                       schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_local_level_h2b4a2_any_integrated(const schuler_f64_local_level_h2b4a2_any *state,
+                                                      uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_local_level_h2b4a2_any_digest(const schuler_f64_local_level_h2b4a2_any *state,
+                                                  schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_local_level_h2b4a2_any_digest_end(const schuler_f64_local_level_h2b4a2_any *state,
+                                                      schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -1392,78 +1392,6 @@ int32_t schuler_f64_local_level_textbook_start_own(schuler_f64_local_level_textb
                                                    const schuler_pair_f64 *interval_s,
                                                    uint32_t order,
                                                    const schuler_solution_f64 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_local_level_textbook_push(schuler_f64_local_level_textbook *state,
-                                              const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_local_level_textbook_push_rates(schuler_f64_local_level_textbook *state,
-                                                    const schuler_rates_f64 *at_start,
-                                                    const schuler_rates_f64 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f64_local_level_textbook_push_over(schuler_f64_local_level_textbook *state,
-                                                   const schuler_increment_f64 *sample,
-                                                   const schuler_pair_f64 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f64_local_level_textbook_push_rates_over(schuler_f64_local_level_textbook *state,
-                                                         const schuler_rates_f64 *at_start,
-                                                         const schuler_rates_f64 *at_end,
-                                                         const schuler_pair_f64 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_local_level_textbook_finish(schuler_f64_local_level_textbook *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_textbook_read(const schuler_f64_local_level_textbook *state,
-                                              schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_local_level_textbook_read_own(const schuler_f64_local_level_textbook *state,
-                                                  schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_local_level_textbook_predict(const schuler_f64_local_level_textbook *state,
-                                                 schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_local_level_textbook_predict_own(const schuler_f64_local_level_textbook *state,
-                                                     schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_textbook_correct(schuler_f64_local_level_textbook *state,
-                                                 const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_local_level_textbook_hold_vertical(schuler_f64_local_level_textbook *state,
-                                                       double altitude_m,
-                                                       double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_local_level_textbook_integrated(const schuler_f64_local_level_textbook *state,
-                                                    uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_local_level_textbook_digest(const schuler_f64_local_level_textbook *state,
-                                                schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_local_level_textbook_digest_end(const schuler_f64_local_level_textbook *state,
-                                                    schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_LOCAL_LEVEL_TEXTBOOK_SAVED of them, to the front of `length`. Fails with
@@ -1487,6 +1415,78 @@ int32_t schuler_f64_local_level_textbook_forget(schuler_f64_local_level_textbook
 /** Bytes that the library needs of a schuler_f64_local_level_textbook: at most its size. */
 size_t schuler_f64_local_level_textbook_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_local_level_textbook_push(schuler_f64_local_level_textbook *state,
+                                              const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_local_level_textbook_push_rates(schuler_f64_local_level_textbook *state,
+                                                    const schuler_rates_f64 *at_start,
+                                                    const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_local_level_textbook_finish(schuler_f64_local_level_textbook *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_textbook_correct(schuler_f64_local_level_textbook *state,
+                                                 const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_local_level_textbook_hold_vertical(schuler_f64_local_level_textbook *state,
+                                                       double altitude_m,
+                                                       double down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f64_local_level_textbook_push_over(schuler_f64_local_level_textbook *state,
+                                                   const schuler_increment_f64 *sample,
+                                                   const schuler_pair_f64 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f64_local_level_textbook_push_rates_over(schuler_f64_local_level_textbook *state,
+                                                         const schuler_rates_f64 *at_start,
+                                                         const schuler_rates_f64 *at_end,
+                                                         const schuler_pair_f64 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_textbook_read(const schuler_f64_local_level_textbook *state,
+                                              schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_local_level_textbook_read_own(const schuler_f64_local_level_textbook *state,
+                                                  schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_local_level_textbook_predict(const schuler_f64_local_level_textbook *state,
+                                                 schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_local_level_textbook_predict_own(const schuler_f64_local_level_textbook *state,
+                                                     schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_local_level_textbook_integrated(const schuler_f64_local_level_textbook *state,
+                                                    uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_local_level_textbook_digest(const schuler_f64_local_level_textbook *state,
+                                                schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_local_level_textbook_digest_end(const schuler_f64_local_level_textbook *state,
+                                                    schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -1504,65 +1504,6 @@ int32_t schuler_f64_earth_fixed_h0b4a0_start_own(schuler_f64_earth_fixed_h0b4a0 
                                                  const schuler_pair_f64 *interval_s,
                                                  uint32_t order,
                                                  const schuler_solution_f64 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_push(schuler_f64_earth_fixed_h0b4a0 *state,
-                                            const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_earth_fixed_h0b4a0_push_rates(schuler_f64_earth_fixed_h0b4a0 *state,
-                                                  const schuler_rates_f64 *at_start,
-                                                  const schuler_rates_f64 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_earth_fixed_h0b4a0_finish(schuler_f64_earth_fixed_h0b4a0 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_read(const schuler_f64_earth_fixed_h0b4a0 *state,
-                                            schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_earth_fixed_h0b4a0_read_own(const schuler_f64_earth_fixed_h0b4a0 *state,
-                                                schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_predict(const schuler_f64_earth_fixed_h0b4a0 *state,
-                                               schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_earth_fixed_h0b4a0_predict_own(const schuler_f64_earth_fixed_h0b4a0 *state,
-                                                   schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_correct(schuler_f64_earth_fixed_h0b4a0 *state,
-                                               const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_hold_vertical(schuler_f64_earth_fixed_h0b4a0 *state,
-                                                     double altitude_m,
-                                                     double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_earth_fixed_h0b4a0_integrated(const schuler_f64_earth_fixed_h0b4a0 *state,
-                                                  uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_digest(const schuler_f64_earth_fixed_h0b4a0 *state,
-                                              schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_earth_fixed_h0b4a0_digest_end(const schuler_f64_earth_fixed_h0b4a0 *state,
-                                                  schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_EARTH_FIXED_H0B4A0_SAVED of them, to the front of `length`. Fails with SCHULER_ERROR_SPACE,
@@ -1586,6 +1527,65 @@ int32_t schuler_f64_earth_fixed_h0b4a0_forget(schuler_f64_earth_fixed_h0b4a0 *st
 /** Bytes that the library needs of a schuler_f64_earth_fixed_h0b4a0: at most its size. */
 size_t schuler_f64_earth_fixed_h0b4a0_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_push(schuler_f64_earth_fixed_h0b4a0 *state,
+                                            const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_earth_fixed_h0b4a0_push_rates(schuler_f64_earth_fixed_h0b4a0 *state,
+                                                  const schuler_rates_f64 *at_start,
+                                                  const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_earth_fixed_h0b4a0_finish(schuler_f64_earth_fixed_h0b4a0 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_correct(schuler_f64_earth_fixed_h0b4a0 *state,
+                                               const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_hold_vertical(schuler_f64_earth_fixed_h0b4a0 *state,
+                                                     double altitude_m,
+                                                     double down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_read(const schuler_f64_earth_fixed_h0b4a0 *state,
+                                            schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_earth_fixed_h0b4a0_read_own(const schuler_f64_earth_fixed_h0b4a0 *state,
+                                                schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_predict(const schuler_f64_earth_fixed_h0b4a0 *state,
+                                               schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_earth_fixed_h0b4a0_predict_own(const schuler_f64_earth_fixed_h0b4a0 *state,
+                                                   schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_earth_fixed_h0b4a0_integrated(const schuler_f64_earth_fixed_h0b4a0 *state,
+                                                  uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_digest(const schuler_f64_earth_fixed_h0b4a0 *state,
+                                              schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_earth_fixed_h0b4a0_digest_end(const schuler_f64_earth_fixed_h0b4a0 *state,
+                                                  schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -1603,78 +1603,6 @@ int32_t schuler_f64_earth_fixed_h0b4a0_any_start_own(schuler_f64_earth_fixed_h0b
                                                      const schuler_pair_f64 *interval_s,
                                                      uint32_t order,
                                                      const schuler_solution_f64 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_push(schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_push_rates(schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                      const schuler_rates_f64 *at_start,
-                                                      const schuler_rates_f64 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_push_over(schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                     const schuler_increment_f64 *sample,
-                                                     const schuler_pair_f64 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_push_rates_over(schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                           const schuler_rates_f64 *at_start,
-                                                           const schuler_rates_f64 *at_end,
-                                                           const schuler_pair_f64 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_finish(schuler_f64_earth_fixed_h0b4a0_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_read(const schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_read_own(const schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                    schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_predict(const schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                   schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_predict_own(const schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                       schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_correct(schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                   const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_hold_vertical(schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                         double altitude_m,
-                                                         double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_integrated(const schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                      uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_digest(const schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                  schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_earth_fixed_h0b4a0_any_digest_end(const schuler_f64_earth_fixed_h0b4a0_any *state,
-                                                      schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_EARTH_FIXED_H0B4A0_ANY_SAVED of them, to the front of `length`. Fails with
@@ -1698,6 +1626,78 @@ int32_t schuler_f64_earth_fixed_h0b4a0_any_forget(schuler_f64_earth_fixed_h0b4a0
 /** Bytes that the library needs of a schuler_f64_earth_fixed_h0b4a0_any: at most its size. */
 size_t schuler_f64_earth_fixed_h0b4a0_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_push(schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_push_rates(schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                      const schuler_rates_f64 *at_start,
+                                                      const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_finish(schuler_f64_earth_fixed_h0b4a0_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_correct(schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                   const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_hold_vertical(schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                         double altitude_m,
+                                                         double down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_push_over(schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                     const schuler_increment_f64 *sample,
+                                                     const schuler_pair_f64 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_push_rates_over(schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                           const schuler_rates_f64 *at_start,
+                                                           const schuler_rates_f64 *at_end,
+                                                           const schuler_pair_f64 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_read(const schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_read_own(const schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                    schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_predict(const schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                   schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_predict_own(const schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                       schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_integrated(const schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                      uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_digest(const schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                  schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_earth_fixed_h0b4a0_any_digest_end(const schuler_f64_earth_fixed_h0b4a0_any *state,
+                                                      schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -1715,65 +1715,6 @@ int32_t schuler_f64_earth_fixed_h2b4a2_start_own(schuler_f64_earth_fixed_h2b4a2 
                                                  const schuler_pair_f64 *interval_s,
                                                  uint32_t order,
                                                  const schuler_solution_f64 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_push(schuler_f64_earth_fixed_h2b4a2 *state,
-                                            const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_earth_fixed_h2b4a2_push_rates(schuler_f64_earth_fixed_h2b4a2 *state,
-                                                  const schuler_rates_f64 *at_start,
-                                                  const schuler_rates_f64 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_earth_fixed_h2b4a2_finish(schuler_f64_earth_fixed_h2b4a2 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_read(const schuler_f64_earth_fixed_h2b4a2 *state,
-                                            schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_earth_fixed_h2b4a2_read_own(const schuler_f64_earth_fixed_h2b4a2 *state,
-                                                schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_predict(const schuler_f64_earth_fixed_h2b4a2 *state,
-                                               schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_earth_fixed_h2b4a2_predict_own(const schuler_f64_earth_fixed_h2b4a2 *state,
-                                                   schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_correct(schuler_f64_earth_fixed_h2b4a2 *state,
-                                               const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_hold_vertical(schuler_f64_earth_fixed_h2b4a2 *state,
-                                                     double altitude_m,
-                                                     double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_earth_fixed_h2b4a2_integrated(const schuler_f64_earth_fixed_h2b4a2 *state,
-                                                  uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_digest(const schuler_f64_earth_fixed_h2b4a2 *state,
-                                              schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_earth_fixed_h2b4a2_digest_end(const schuler_f64_earth_fixed_h2b4a2 *state,
-                                                  schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_EARTH_FIXED_H2B4A2_SAVED of them, to the front of `length`. Fails with SCHULER_ERROR_SPACE,
@@ -1797,6 +1738,65 @@ int32_t schuler_f64_earth_fixed_h2b4a2_forget(schuler_f64_earth_fixed_h2b4a2 *st
 /** Bytes that the library needs of a schuler_f64_earth_fixed_h2b4a2: at most its size. */
 size_t schuler_f64_earth_fixed_h2b4a2_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_push(schuler_f64_earth_fixed_h2b4a2 *state,
+                                            const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_earth_fixed_h2b4a2_push_rates(schuler_f64_earth_fixed_h2b4a2 *state,
+                                                  const schuler_rates_f64 *at_start,
+                                                  const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_earth_fixed_h2b4a2_finish(schuler_f64_earth_fixed_h2b4a2 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_correct(schuler_f64_earth_fixed_h2b4a2 *state,
+                                               const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_hold_vertical(schuler_f64_earth_fixed_h2b4a2 *state,
+                                                     double altitude_m,
+                                                     double down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_read(const schuler_f64_earth_fixed_h2b4a2 *state,
+                                            schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_earth_fixed_h2b4a2_read_own(const schuler_f64_earth_fixed_h2b4a2 *state,
+                                                schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_predict(const schuler_f64_earth_fixed_h2b4a2 *state,
+                                               schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_earth_fixed_h2b4a2_predict_own(const schuler_f64_earth_fixed_h2b4a2 *state,
+                                                   schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_earth_fixed_h2b4a2_integrated(const schuler_f64_earth_fixed_h2b4a2 *state,
+                                                  uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_digest(const schuler_f64_earth_fixed_h2b4a2 *state,
+                                              schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_earth_fixed_h2b4a2_digest_end(const schuler_f64_earth_fixed_h2b4a2 *state,
+                                                  schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -1814,78 +1814,6 @@ int32_t schuler_f64_earth_fixed_h2b4a2_any_start_own(schuler_f64_earth_fixed_h2b
                                                      const schuler_pair_f64 *interval_s,
                                                      uint32_t order,
                                                      const schuler_solution_f64 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_push(schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_push_rates(schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                      const schuler_rates_f64 *at_start,
-                                                      const schuler_rates_f64 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_push_over(schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                     const schuler_increment_f64 *sample,
-                                                     const schuler_pair_f64 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_push_rates_over(schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                           const schuler_rates_f64 *at_start,
-                                                           const schuler_rates_f64 *at_end,
-                                                           const schuler_pair_f64 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_finish(schuler_f64_earth_fixed_h2b4a2_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_read(const schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_read_own(const schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                    schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_predict(const schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                   schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_predict_own(const schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                       schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_correct(schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                   const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_hold_vertical(schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                         double altitude_m,
-                                                         double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_integrated(const schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                      uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_digest(const schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                  schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_earth_fixed_h2b4a2_any_digest_end(const schuler_f64_earth_fixed_h2b4a2_any *state,
-                                                      schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_EARTH_FIXED_H2B4A2_ANY_SAVED of them, to the front of `length`. Fails with
@@ -1909,6 +1837,78 @@ int32_t schuler_f64_earth_fixed_h2b4a2_any_forget(schuler_f64_earth_fixed_h2b4a2
 /** Bytes that the library needs of a schuler_f64_earth_fixed_h2b4a2_any: at most its size. */
 size_t schuler_f64_earth_fixed_h2b4a2_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_push(schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_push_rates(schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                      const schuler_rates_f64 *at_start,
+                                                      const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_finish(schuler_f64_earth_fixed_h2b4a2_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_correct(schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                   const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_hold_vertical(schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                         double altitude_m,
+                                                         double down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_push_over(schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                     const schuler_increment_f64 *sample,
+                                                     const schuler_pair_f64 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_push_rates_over(schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                           const schuler_rates_f64 *at_start,
+                                                           const schuler_rates_f64 *at_end,
+                                                           const schuler_pair_f64 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_read(const schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_read_own(const schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                    schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_predict(const schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                   schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_predict_own(const schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                       schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_integrated(const schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                      uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_digest(const schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                  schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_earth_fixed_h2b4a2_any_digest_end(const schuler_f64_earth_fixed_h2b4a2_any *state,
+                                                      schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -1926,78 +1926,6 @@ int32_t schuler_f64_earth_fixed_textbook_start_own(schuler_f64_earth_fixed_textb
                                                    const schuler_pair_f64 *interval_s,
                                                    uint32_t order,
                                                    const schuler_solution_f64 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_textbook_push(schuler_f64_earth_fixed_textbook *state,
-                                              const schuler_increment_f64 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f64_earth_fixed_textbook_push_rates(schuler_f64_earth_fixed_textbook *state,
-                                                    const schuler_rates_f64 *at_start,
-                                                    const schuler_rates_f64 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f64_earth_fixed_textbook_push_over(schuler_f64_earth_fixed_textbook *state,
-                                                   const schuler_increment_f64 *sample,
-                                                   const schuler_pair_f64 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f64_earth_fixed_textbook_push_rates_over(schuler_f64_earth_fixed_textbook *state,
-                                                         const schuler_rates_f64 *at_start,
-                                                         const schuler_rates_f64 *at_end,
-                                                         const schuler_pair_f64 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f64_earth_fixed_textbook_finish(schuler_f64_earth_fixed_textbook *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_textbook_read(const schuler_f64_earth_fixed_textbook *state,
-                                              schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f64_earth_fixed_textbook_read_own(const schuler_f64_earth_fixed_textbook *state,
-                                                  schuler_solution_f64 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f64_earth_fixed_textbook_predict(const schuler_f64_earth_fixed_textbook *state,
-                                                 schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f64_earth_fixed_textbook_predict_own(const schuler_f64_earth_fixed_textbook *state,
-                                                     schuler_solution_f64 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_textbook_correct(schuler_f64_earth_fixed_textbook *state,
-                                                 const schuler_correction_f64 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f64_earth_fixed_textbook_hold_vertical(schuler_f64_earth_fixed_textbook *state,
-                                                       double altitude_m,
-                                                       double down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f64_earth_fixed_textbook_integrated(const schuler_f64_earth_fixed_textbook *state,
-                                                    uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f64_earth_fixed_textbook_digest(const schuler_f64_earth_fixed_textbook *state,
-                                                schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f64_earth_fixed_textbook_digest_end(const schuler_f64_earth_fixed_textbook *state,
-                                                    schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F64_EARTH_FIXED_TEXTBOOK_SAVED of them, to the front of `length`. Fails with
@@ -2021,6 +1949,78 @@ int32_t schuler_f64_earth_fixed_textbook_forget(schuler_f64_earth_fixed_textbook
 /** Bytes that the library needs of a schuler_f64_earth_fixed_textbook: at most its size. */
 size_t schuler_f64_earth_fixed_textbook_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_textbook_push(schuler_f64_earth_fixed_textbook *state,
+                                              const schuler_increment_f64 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f64_earth_fixed_textbook_push_rates(schuler_f64_earth_fixed_textbook *state,
+                                                    const schuler_rates_f64 *at_start,
+                                                    const schuler_rates_f64 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f64_earth_fixed_textbook_finish(schuler_f64_earth_fixed_textbook *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_textbook_correct(schuler_f64_earth_fixed_textbook *state,
+                                                 const schuler_correction_f64 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f64_earth_fixed_textbook_hold_vertical(schuler_f64_earth_fixed_textbook *state,
+                                                       double altitude_m,
+                                                       double down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f64_earth_fixed_textbook_push_over(schuler_f64_earth_fixed_textbook *state,
+                                                   const schuler_increment_f64 *sample,
+                                                   const schuler_pair_f64 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f64_earth_fixed_textbook_push_rates_over(schuler_f64_earth_fixed_textbook *state,
+                                                         const schuler_rates_f64 *at_start,
+                                                         const schuler_rates_f64 *at_end,
+                                                         const schuler_pair_f64 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_textbook_read(const schuler_f64_earth_fixed_textbook *state,
+                                              schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f64_earth_fixed_textbook_read_own(const schuler_f64_earth_fixed_textbook *state,
+                                                  schuler_solution_f64 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f64_earth_fixed_textbook_predict(const schuler_f64_earth_fixed_textbook *state,
+                                                 schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f64_earth_fixed_textbook_predict_own(const schuler_f64_earth_fixed_textbook *state,
+                                                     schuler_solution_f64 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f64_earth_fixed_textbook_integrated(const schuler_f64_earth_fixed_textbook *state,
+                                                    uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f64_earth_fixed_textbook_digest(const schuler_f64_earth_fixed_textbook *state,
+                                                schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f64_earth_fixed_textbook_digest_end(const schuler_f64_earth_fixed_textbook *state,
+                                                    schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2038,65 +2038,6 @@ int32_t schuler_f32_local_level_h0b4a0_start_own(schuler_f32_local_level_h0b4a0 
                                                  const schuler_pair_f32 *interval_s,
                                                  uint32_t order,
                                                  const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_push(schuler_f32_local_level_h0b4a0 *state,
-                                            const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_local_level_h0b4a0_push_rates(schuler_f32_local_level_h0b4a0 *state,
-                                                  const schuler_rates_f32 *at_start,
-                                                  const schuler_rates_f32 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_local_level_h0b4a0_finish(schuler_f32_local_level_h0b4a0 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_read(const schuler_f32_local_level_h0b4a0 *state,
-                                            schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_local_level_h0b4a0_read_own(const schuler_f32_local_level_h0b4a0 *state,
-                                                schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_predict(const schuler_f32_local_level_h0b4a0 *state,
-                                               schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_local_level_h0b4a0_predict_own(const schuler_f32_local_level_h0b4a0 *state,
-                                                   schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_correct(schuler_f32_local_level_h0b4a0 *state,
-                                               const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_hold_vertical(schuler_f32_local_level_h0b4a0 *state,
-                                                     float altitude_m,
-                                                     float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_local_level_h0b4a0_integrated(const schuler_f32_local_level_h0b4a0 *state,
-                                                  uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_local_level_h0b4a0_digest(const schuler_f32_local_level_h0b4a0 *state,
-                                              schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_local_level_h0b4a0_digest_end(const schuler_f32_local_level_h0b4a0 *state,
-                                                  schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_LOCAL_LEVEL_H0B4A0_SAVED of them, to the front of `length`. Fails with SCHULER_ERROR_SPACE,
@@ -2120,6 +2061,65 @@ int32_t schuler_f32_local_level_h0b4a0_forget(schuler_f32_local_level_h0b4a0 *st
 /** Bytes that the library needs of a schuler_f32_local_level_h0b4a0: at most its size. */
 size_t schuler_f32_local_level_h0b4a0_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_push(schuler_f32_local_level_h0b4a0 *state,
+                                            const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_local_level_h0b4a0_push_rates(schuler_f32_local_level_h0b4a0 *state,
+                                                  const schuler_rates_f32 *at_start,
+                                                  const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_local_level_h0b4a0_finish(schuler_f32_local_level_h0b4a0 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_correct(schuler_f32_local_level_h0b4a0 *state,
+                                               const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_hold_vertical(schuler_f32_local_level_h0b4a0 *state,
+                                                     float altitude_m,
+                                                     float down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_read(const schuler_f32_local_level_h0b4a0 *state,
+                                            schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_local_level_h0b4a0_read_own(const schuler_f32_local_level_h0b4a0 *state,
+                                                schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_predict(const schuler_f32_local_level_h0b4a0 *state,
+                                               schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_local_level_h0b4a0_predict_own(const schuler_f32_local_level_h0b4a0 *state,
+                                                   schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_local_level_h0b4a0_integrated(const schuler_f32_local_level_h0b4a0 *state,
+                                                  uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_local_level_h0b4a0_digest(const schuler_f32_local_level_h0b4a0 *state,
+                                              schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_local_level_h0b4a0_digest_end(const schuler_f32_local_level_h0b4a0 *state,
+                                                  schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2137,78 +2137,6 @@ int32_t schuler_f32_local_level_h0b4a0_any_start_own(schuler_f32_local_level_h0b
                                                      const schuler_pair_f32 *interval_s,
                                                      uint32_t order,
                                                      const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_any_push(schuler_f32_local_level_h0b4a0_any *state,
-                                                const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_local_level_h0b4a0_any_push_rates(schuler_f32_local_level_h0b4a0_any *state,
-                                                      const schuler_rates_f32 *at_start,
-                                                      const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32_local_level_h0b4a0_any_push_over(schuler_f32_local_level_h0b4a0_any *state,
-                                                     const schuler_increment_f32 *sample,
-                                                     const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32_local_level_h0b4a0_any_push_rates_over(schuler_f32_local_level_h0b4a0_any *state,
-                                                           const schuler_rates_f32 *at_start,
-                                                           const schuler_rates_f32 *at_end,
-                                                           const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_local_level_h0b4a0_any_finish(schuler_f32_local_level_h0b4a0_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_any_read(const schuler_f32_local_level_h0b4a0_any *state,
-                                                schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_local_level_h0b4a0_any_read_own(const schuler_f32_local_level_h0b4a0_any *state,
-                                                    schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_any_predict(const schuler_f32_local_level_h0b4a0_any *state,
-                                                   schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_local_level_h0b4a0_any_predict_own(const schuler_f32_local_level_h0b4a0_any *state,
-                                                       schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_any_correct(schuler_f32_local_level_h0b4a0_any *state,
-                                                   const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_h0b4a0_any_hold_vertical(schuler_f32_local_level_h0b4a0_any *state,
-                                                         float altitude_m,
-                                                         float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_local_level_h0b4a0_any_integrated(const schuler_f32_local_level_h0b4a0_any *state,
-                                                      uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_local_level_h0b4a0_any_digest(const schuler_f32_local_level_h0b4a0_any *state,
-                                                  schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_local_level_h0b4a0_any_digest_end(const schuler_f32_local_level_h0b4a0_any *state,
-                                                      schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_LOCAL_LEVEL_H0B4A0_ANY_SAVED of them, to the front of `length`. Fails with
@@ -2232,6 +2160,78 @@ int32_t schuler_f32_local_level_h0b4a0_any_forget(schuler_f32_local_level_h0b4a0
 /** Bytes that the library needs of a schuler_f32_local_level_h0b4a0_any: at most its size. */
 size_t schuler_f32_local_level_h0b4a0_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_any_push(schuler_f32_local_level_h0b4a0_any *state,
+                                                const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_local_level_h0b4a0_any_push_rates(schuler_f32_local_level_h0b4a0_any *state,
+                                                      const schuler_rates_f32 *at_start,
+                                                      const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_local_level_h0b4a0_any_finish(schuler_f32_local_level_h0b4a0_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_any_correct(schuler_f32_local_level_h0b4a0_any *state,
+                                                   const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_any_hold_vertical(schuler_f32_local_level_h0b4a0_any *state,
+                                                         float altitude_m,
+                                                         float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32_local_level_h0b4a0_any_push_over(schuler_f32_local_level_h0b4a0_any *state,
+                                                     const schuler_increment_f32 *sample,
+                                                     const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32_local_level_h0b4a0_any_push_rates_over(schuler_f32_local_level_h0b4a0_any *state,
+                                                           const schuler_rates_f32 *at_start,
+                                                           const schuler_rates_f32 *at_end,
+                                                           const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_any_read(const schuler_f32_local_level_h0b4a0_any *state,
+                                                schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_local_level_h0b4a0_any_read_own(const schuler_f32_local_level_h0b4a0_any *state,
+                                                    schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_h0b4a0_any_predict(const schuler_f32_local_level_h0b4a0_any *state,
+                                                   schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_local_level_h0b4a0_any_predict_own(const schuler_f32_local_level_h0b4a0_any *state,
+                                                       schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_local_level_h0b4a0_any_integrated(const schuler_f32_local_level_h0b4a0_any *state,
+                                                      uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_local_level_h0b4a0_any_digest(const schuler_f32_local_level_h0b4a0_any *state,
+                                                  schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_local_level_h0b4a0_any_digest_end(const schuler_f32_local_level_h0b4a0_any *state,
+                                                      schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2249,65 +2249,6 @@ int32_t schuler_f32_local_level_h2b4a2_start_own(schuler_f32_local_level_h2b4a2 
                                                  const schuler_pair_f32 *interval_s,
                                                  uint32_t order,
                                                  const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_push(schuler_f32_local_level_h2b4a2 *state,
-                                            const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_local_level_h2b4a2_push_rates(schuler_f32_local_level_h2b4a2 *state,
-                                                  const schuler_rates_f32 *at_start,
-                                                  const schuler_rates_f32 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_local_level_h2b4a2_finish(schuler_f32_local_level_h2b4a2 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_read(const schuler_f32_local_level_h2b4a2 *state,
-                                            schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_local_level_h2b4a2_read_own(const schuler_f32_local_level_h2b4a2 *state,
-                                                schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_predict(const schuler_f32_local_level_h2b4a2 *state,
-                                               schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_local_level_h2b4a2_predict_own(const schuler_f32_local_level_h2b4a2 *state,
-                                                   schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_correct(schuler_f32_local_level_h2b4a2 *state,
-                                               const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_hold_vertical(schuler_f32_local_level_h2b4a2 *state,
-                                                     float altitude_m,
-                                                     float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_local_level_h2b4a2_integrated(const schuler_f32_local_level_h2b4a2 *state,
-                                                  uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_local_level_h2b4a2_digest(const schuler_f32_local_level_h2b4a2 *state,
-                                              schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_local_level_h2b4a2_digest_end(const schuler_f32_local_level_h2b4a2 *state,
-                                                  schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_LOCAL_LEVEL_H2B4A2_SAVED of them, to the front of `length`. Fails with SCHULER_ERROR_SPACE,
@@ -2331,6 +2272,65 @@ int32_t schuler_f32_local_level_h2b4a2_forget(schuler_f32_local_level_h2b4a2 *st
 /** Bytes that the library needs of a schuler_f32_local_level_h2b4a2: at most its size. */
 size_t schuler_f32_local_level_h2b4a2_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_push(schuler_f32_local_level_h2b4a2 *state,
+                                            const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_local_level_h2b4a2_push_rates(schuler_f32_local_level_h2b4a2 *state,
+                                                  const schuler_rates_f32 *at_start,
+                                                  const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_local_level_h2b4a2_finish(schuler_f32_local_level_h2b4a2 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_correct(schuler_f32_local_level_h2b4a2 *state,
+                                               const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_hold_vertical(schuler_f32_local_level_h2b4a2 *state,
+                                                     float altitude_m,
+                                                     float down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_read(const schuler_f32_local_level_h2b4a2 *state,
+                                            schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_local_level_h2b4a2_read_own(const schuler_f32_local_level_h2b4a2 *state,
+                                                schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_predict(const schuler_f32_local_level_h2b4a2 *state,
+                                               schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_local_level_h2b4a2_predict_own(const schuler_f32_local_level_h2b4a2 *state,
+                                                   schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_local_level_h2b4a2_integrated(const schuler_f32_local_level_h2b4a2 *state,
+                                                  uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_local_level_h2b4a2_digest(const schuler_f32_local_level_h2b4a2 *state,
+                                              schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_local_level_h2b4a2_digest_end(const schuler_f32_local_level_h2b4a2 *state,
+                                                  schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2348,78 +2348,6 @@ int32_t schuler_f32_local_level_h2b4a2_any_start_own(schuler_f32_local_level_h2b
                                                      const schuler_pair_f32 *interval_s,
                                                      uint32_t order,
                                                      const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_any_push(schuler_f32_local_level_h2b4a2_any *state,
-                                                const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_local_level_h2b4a2_any_push_rates(schuler_f32_local_level_h2b4a2_any *state,
-                                                      const schuler_rates_f32 *at_start,
-                                                      const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32_local_level_h2b4a2_any_push_over(schuler_f32_local_level_h2b4a2_any *state,
-                                                     const schuler_increment_f32 *sample,
-                                                     const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32_local_level_h2b4a2_any_push_rates_over(schuler_f32_local_level_h2b4a2_any *state,
-                                                           const schuler_rates_f32 *at_start,
-                                                           const schuler_rates_f32 *at_end,
-                                                           const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_local_level_h2b4a2_any_finish(schuler_f32_local_level_h2b4a2_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_any_read(const schuler_f32_local_level_h2b4a2_any *state,
-                                                schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_local_level_h2b4a2_any_read_own(const schuler_f32_local_level_h2b4a2_any *state,
-                                                    schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_any_predict(const schuler_f32_local_level_h2b4a2_any *state,
-                                                   schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_local_level_h2b4a2_any_predict_own(const schuler_f32_local_level_h2b4a2_any *state,
-                                                       schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_any_correct(schuler_f32_local_level_h2b4a2_any *state,
-                                                   const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_h2b4a2_any_hold_vertical(schuler_f32_local_level_h2b4a2_any *state,
-                                                         float altitude_m,
-                                                         float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_local_level_h2b4a2_any_integrated(const schuler_f32_local_level_h2b4a2_any *state,
-                                                      uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_local_level_h2b4a2_any_digest(const schuler_f32_local_level_h2b4a2_any *state,
-                                                  schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_local_level_h2b4a2_any_digest_end(const schuler_f32_local_level_h2b4a2_any *state,
-                                                      schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_LOCAL_LEVEL_H2B4A2_ANY_SAVED of them, to the front of `length`. Fails with
@@ -2443,6 +2371,78 @@ int32_t schuler_f32_local_level_h2b4a2_any_forget(schuler_f32_local_level_h2b4a2
 /** Bytes that the library needs of a schuler_f32_local_level_h2b4a2_any: at most its size. */
 size_t schuler_f32_local_level_h2b4a2_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_any_push(schuler_f32_local_level_h2b4a2_any *state,
+                                                const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_local_level_h2b4a2_any_push_rates(schuler_f32_local_level_h2b4a2_any *state,
+                                                      const schuler_rates_f32 *at_start,
+                                                      const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_local_level_h2b4a2_any_finish(schuler_f32_local_level_h2b4a2_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_any_correct(schuler_f32_local_level_h2b4a2_any *state,
+                                                   const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_any_hold_vertical(schuler_f32_local_level_h2b4a2_any *state,
+                                                         float altitude_m,
+                                                         float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32_local_level_h2b4a2_any_push_over(schuler_f32_local_level_h2b4a2_any *state,
+                                                     const schuler_increment_f32 *sample,
+                                                     const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32_local_level_h2b4a2_any_push_rates_over(schuler_f32_local_level_h2b4a2_any *state,
+                                                           const schuler_rates_f32 *at_start,
+                                                           const schuler_rates_f32 *at_end,
+                                                           const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_any_read(const schuler_f32_local_level_h2b4a2_any *state,
+                                                schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_local_level_h2b4a2_any_read_own(const schuler_f32_local_level_h2b4a2_any *state,
+                                                    schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_h2b4a2_any_predict(const schuler_f32_local_level_h2b4a2_any *state,
+                                                   schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_local_level_h2b4a2_any_predict_own(const schuler_f32_local_level_h2b4a2_any *state,
+                                                       schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_local_level_h2b4a2_any_integrated(const schuler_f32_local_level_h2b4a2_any *state,
+                                                      uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_local_level_h2b4a2_any_digest(const schuler_f32_local_level_h2b4a2_any *state,
+                                                  schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_local_level_h2b4a2_any_digest_end(const schuler_f32_local_level_h2b4a2_any *state,
+                                                      schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2460,78 +2460,6 @@ int32_t schuler_f32_local_level_textbook_start_own(schuler_f32_local_level_textb
                                                    const schuler_pair_f32 *interval_s,
                                                    uint32_t order,
                                                    const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_local_level_textbook_push(schuler_f32_local_level_textbook *state,
-                                              const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_local_level_textbook_push_rates(schuler_f32_local_level_textbook *state,
-                                                    const schuler_rates_f32 *at_start,
-                                                    const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32_local_level_textbook_push_over(schuler_f32_local_level_textbook *state,
-                                                   const schuler_increment_f32 *sample,
-                                                   const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32_local_level_textbook_push_rates_over(schuler_f32_local_level_textbook *state,
-                                                         const schuler_rates_f32 *at_start,
-                                                         const schuler_rates_f32 *at_end,
-                                                         const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_local_level_textbook_finish(schuler_f32_local_level_textbook *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_textbook_read(const schuler_f32_local_level_textbook *state,
-                                              schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_local_level_textbook_read_own(const schuler_f32_local_level_textbook *state,
-                                                  schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_local_level_textbook_predict(const schuler_f32_local_level_textbook *state,
-                                                 schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_local_level_textbook_predict_own(const schuler_f32_local_level_textbook *state,
-                                                     schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_textbook_correct(schuler_f32_local_level_textbook *state,
-                                                 const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_local_level_textbook_hold_vertical(schuler_f32_local_level_textbook *state,
-                                                       float altitude_m,
-                                                       float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_local_level_textbook_integrated(const schuler_f32_local_level_textbook *state,
-                                                    uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_local_level_textbook_digest(const schuler_f32_local_level_textbook *state,
-                                                schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_local_level_textbook_digest_end(const schuler_f32_local_level_textbook *state,
-                                                    schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_LOCAL_LEVEL_TEXTBOOK_SAVED of them, to the front of `length`. Fails with
@@ -2555,6 +2483,78 @@ int32_t schuler_f32_local_level_textbook_forget(schuler_f32_local_level_textbook
 /** Bytes that the library needs of a schuler_f32_local_level_textbook: at most its size. */
 size_t schuler_f32_local_level_textbook_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_local_level_textbook_push(schuler_f32_local_level_textbook *state,
+                                              const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_local_level_textbook_push_rates(schuler_f32_local_level_textbook *state,
+                                                    const schuler_rates_f32 *at_start,
+                                                    const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_local_level_textbook_finish(schuler_f32_local_level_textbook *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_textbook_correct(schuler_f32_local_level_textbook *state,
+                                                 const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_local_level_textbook_hold_vertical(schuler_f32_local_level_textbook *state,
+                                                       float altitude_m,
+                                                       float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32_local_level_textbook_push_over(schuler_f32_local_level_textbook *state,
+                                                   const schuler_increment_f32 *sample,
+                                                   const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32_local_level_textbook_push_rates_over(schuler_f32_local_level_textbook *state,
+                                                         const schuler_rates_f32 *at_start,
+                                                         const schuler_rates_f32 *at_end,
+                                                         const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_textbook_read(const schuler_f32_local_level_textbook *state,
+                                              schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_local_level_textbook_read_own(const schuler_f32_local_level_textbook *state,
+                                                  schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_local_level_textbook_predict(const schuler_f32_local_level_textbook *state,
+                                                 schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_local_level_textbook_predict_own(const schuler_f32_local_level_textbook *state,
+                                                     schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_local_level_textbook_integrated(const schuler_f32_local_level_textbook *state,
+                                                    uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_local_level_textbook_digest(const schuler_f32_local_level_textbook *state,
+                                                schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_local_level_textbook_digest_end(const schuler_f32_local_level_textbook *state,
+                                                    schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2572,65 +2572,6 @@ int32_t schuler_f32_earth_fixed_h0b4a0_start_own(schuler_f32_earth_fixed_h0b4a0 
                                                  const schuler_pair_f32 *interval_s,
                                                  uint32_t order,
                                                  const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_push(schuler_f32_earth_fixed_h0b4a0 *state,
-                                            const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_earth_fixed_h0b4a0_push_rates(schuler_f32_earth_fixed_h0b4a0 *state,
-                                                  const schuler_rates_f32 *at_start,
-                                                  const schuler_rates_f32 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_earth_fixed_h0b4a0_finish(schuler_f32_earth_fixed_h0b4a0 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_read(const schuler_f32_earth_fixed_h0b4a0 *state,
-                                            schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_earth_fixed_h0b4a0_read_own(const schuler_f32_earth_fixed_h0b4a0 *state,
-                                                schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_predict(const schuler_f32_earth_fixed_h0b4a0 *state,
-                                               schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_earth_fixed_h0b4a0_predict_own(const schuler_f32_earth_fixed_h0b4a0 *state,
-                                                   schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_correct(schuler_f32_earth_fixed_h0b4a0 *state,
-                                               const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_hold_vertical(schuler_f32_earth_fixed_h0b4a0 *state,
-                                                     float altitude_m,
-                                                     float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_earth_fixed_h0b4a0_integrated(const schuler_f32_earth_fixed_h0b4a0 *state,
-                                                  uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_digest(const schuler_f32_earth_fixed_h0b4a0 *state,
-                                              schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_earth_fixed_h0b4a0_digest_end(const schuler_f32_earth_fixed_h0b4a0 *state,
-                                                  schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_EARTH_FIXED_H0B4A0_SAVED of them, to the front of `length`. Fails with SCHULER_ERROR_SPACE,
@@ -2654,6 +2595,65 @@ int32_t schuler_f32_earth_fixed_h0b4a0_forget(schuler_f32_earth_fixed_h0b4a0 *st
 /** Bytes that the library needs of a schuler_f32_earth_fixed_h0b4a0: at most its size. */
 size_t schuler_f32_earth_fixed_h0b4a0_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_push(schuler_f32_earth_fixed_h0b4a0 *state,
+                                            const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_earth_fixed_h0b4a0_push_rates(schuler_f32_earth_fixed_h0b4a0 *state,
+                                                  const schuler_rates_f32 *at_start,
+                                                  const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_earth_fixed_h0b4a0_finish(schuler_f32_earth_fixed_h0b4a0 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_correct(schuler_f32_earth_fixed_h0b4a0 *state,
+                                               const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_hold_vertical(schuler_f32_earth_fixed_h0b4a0 *state,
+                                                     float altitude_m,
+                                                     float down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_read(const schuler_f32_earth_fixed_h0b4a0 *state,
+                                            schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_earth_fixed_h0b4a0_read_own(const schuler_f32_earth_fixed_h0b4a0 *state,
+                                                schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_predict(const schuler_f32_earth_fixed_h0b4a0 *state,
+                                               schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_earth_fixed_h0b4a0_predict_own(const schuler_f32_earth_fixed_h0b4a0 *state,
+                                                   schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_earth_fixed_h0b4a0_integrated(const schuler_f32_earth_fixed_h0b4a0 *state,
+                                                  uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_digest(const schuler_f32_earth_fixed_h0b4a0 *state,
+                                              schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_earth_fixed_h0b4a0_digest_end(const schuler_f32_earth_fixed_h0b4a0 *state,
+                                                  schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2671,78 +2671,6 @@ int32_t schuler_f32_earth_fixed_h0b4a0_any_start_own(schuler_f32_earth_fixed_h0b
                                                      const schuler_pair_f32 *interval_s,
                                                      uint32_t order,
                                                      const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_push(schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_push_rates(schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                      const schuler_rates_f32 *at_start,
-                                                      const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_push_over(schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                     const schuler_increment_f32 *sample,
-                                                     const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_push_rates_over(schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                           const schuler_rates_f32 *at_start,
-                                                           const schuler_rates_f32 *at_end,
-                                                           const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_finish(schuler_f32_earth_fixed_h0b4a0_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_read(const schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_read_own(const schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                    schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_predict(const schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                   schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_predict_own(const schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                       schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_correct(schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                   const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_hold_vertical(schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                         float altitude_m,
-                                                         float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_integrated(const schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                      uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_digest(const schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                  schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_earth_fixed_h0b4a0_any_digest_end(const schuler_f32_earth_fixed_h0b4a0_any *state,
-                                                      schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_EARTH_FIXED_H0B4A0_ANY_SAVED of them, to the front of `length`. Fails with
@@ -2766,6 +2694,78 @@ int32_t schuler_f32_earth_fixed_h0b4a0_any_forget(schuler_f32_earth_fixed_h0b4a0
 /** Bytes that the library needs of a schuler_f32_earth_fixed_h0b4a0_any: at most its size. */
 size_t schuler_f32_earth_fixed_h0b4a0_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_push(schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_push_rates(schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                      const schuler_rates_f32 *at_start,
+                                                      const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_finish(schuler_f32_earth_fixed_h0b4a0_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_correct(schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                   const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_hold_vertical(schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                         float altitude_m,
+                                                         float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_push_over(schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                     const schuler_increment_f32 *sample,
+                                                     const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_push_rates_over(schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                           const schuler_rates_f32 *at_start,
+                                                           const schuler_rates_f32 *at_end,
+                                                           const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_read(const schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_read_own(const schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                    schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_predict(const schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                   schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_predict_own(const schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                       schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_integrated(const schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                      uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_digest(const schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                  schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_earth_fixed_h0b4a0_any_digest_end(const schuler_f32_earth_fixed_h0b4a0_any *state,
+                                                      schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2783,65 +2783,6 @@ int32_t schuler_f32_earth_fixed_h2b4a2_start_own(schuler_f32_earth_fixed_h2b4a2 
                                                  const schuler_pair_f32 *interval_s,
                                                  uint32_t order,
                                                  const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_push(schuler_f32_earth_fixed_h2b4a2 *state,
-                                            const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_earth_fixed_h2b4a2_push_rates(schuler_f32_earth_fixed_h2b4a2 *state,
-                                                  const schuler_rates_f32 *at_start,
-                                                  const schuler_rates_f32 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_earth_fixed_h2b4a2_finish(schuler_f32_earth_fixed_h2b4a2 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_read(const schuler_f32_earth_fixed_h2b4a2 *state,
-                                            schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_earth_fixed_h2b4a2_read_own(const schuler_f32_earth_fixed_h2b4a2 *state,
-                                                schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_predict(const schuler_f32_earth_fixed_h2b4a2 *state,
-                                               schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_earth_fixed_h2b4a2_predict_own(const schuler_f32_earth_fixed_h2b4a2 *state,
-                                                   schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_correct(schuler_f32_earth_fixed_h2b4a2 *state,
-                                               const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_hold_vertical(schuler_f32_earth_fixed_h2b4a2 *state,
-                                                     float altitude_m,
-                                                     float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_earth_fixed_h2b4a2_integrated(const schuler_f32_earth_fixed_h2b4a2 *state,
-                                                  uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_digest(const schuler_f32_earth_fixed_h2b4a2 *state,
-                                              schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_earth_fixed_h2b4a2_digest_end(const schuler_f32_earth_fixed_h2b4a2 *state,
-                                                  schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_EARTH_FIXED_H2B4A2_SAVED of them, to the front of `length`. Fails with SCHULER_ERROR_SPACE,
@@ -2865,6 +2806,65 @@ int32_t schuler_f32_earth_fixed_h2b4a2_forget(schuler_f32_earth_fixed_h2b4a2 *st
 /** Bytes that the library needs of a schuler_f32_earth_fixed_h2b4a2: at most its size. */
 size_t schuler_f32_earth_fixed_h2b4a2_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_push(schuler_f32_earth_fixed_h2b4a2 *state,
+                                            const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_earth_fixed_h2b4a2_push_rates(schuler_f32_earth_fixed_h2b4a2 *state,
+                                                  const schuler_rates_f32 *at_start,
+                                                  const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_earth_fixed_h2b4a2_finish(schuler_f32_earth_fixed_h2b4a2 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_correct(schuler_f32_earth_fixed_h2b4a2 *state,
+                                               const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_hold_vertical(schuler_f32_earth_fixed_h2b4a2 *state,
+                                                     float altitude_m,
+                                                     float down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_read(const schuler_f32_earth_fixed_h2b4a2 *state,
+                                            schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_earth_fixed_h2b4a2_read_own(const schuler_f32_earth_fixed_h2b4a2 *state,
+                                                schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_predict(const schuler_f32_earth_fixed_h2b4a2 *state,
+                                               schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_earth_fixed_h2b4a2_predict_own(const schuler_f32_earth_fixed_h2b4a2 *state,
+                                                   schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_earth_fixed_h2b4a2_integrated(const schuler_f32_earth_fixed_h2b4a2 *state,
+                                                  uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_digest(const schuler_f32_earth_fixed_h2b4a2 *state,
+                                              schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_earth_fixed_h2b4a2_digest_end(const schuler_f32_earth_fixed_h2b4a2 *state,
+                                                  schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2882,78 +2882,6 @@ int32_t schuler_f32_earth_fixed_h2b4a2_any_start_own(schuler_f32_earth_fixed_h2b
                                                      const schuler_pair_f32 *interval_s,
                                                      uint32_t order,
                                                      const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_push(schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_push_rates(schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                      const schuler_rates_f32 *at_start,
-                                                      const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_push_over(schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                     const schuler_increment_f32 *sample,
-                                                     const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_push_rates_over(schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                           const schuler_rates_f32 *at_start,
-                                                           const schuler_rates_f32 *at_end,
-                                                           const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_finish(schuler_f32_earth_fixed_h2b4a2_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_read(const schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_read_own(const schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                    schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_predict(const schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                   schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_predict_own(const schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                       schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_correct(schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                   const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_hold_vertical(schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                         float altitude_m,
-                                                         float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_integrated(const schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                      uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_digest(const schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                  schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_earth_fixed_h2b4a2_any_digest_end(const schuler_f32_earth_fixed_h2b4a2_any *state,
-                                                      schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_EARTH_FIXED_H2B4A2_ANY_SAVED of them, to the front of `length`. Fails with
@@ -2977,6 +2905,78 @@ int32_t schuler_f32_earth_fixed_h2b4a2_any_forget(schuler_f32_earth_fixed_h2b4a2
 /** Bytes that the library needs of a schuler_f32_earth_fixed_h2b4a2_any: at most its size. */
 size_t schuler_f32_earth_fixed_h2b4a2_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_push(schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_push_rates(schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                      const schuler_rates_f32 *at_start,
+                                                      const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_finish(schuler_f32_earth_fixed_h2b4a2_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_correct(schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                   const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_hold_vertical(schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                         float altitude_m,
+                                                         float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_push_over(schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                     const schuler_increment_f32 *sample,
+                                                     const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_push_rates_over(schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                           const schuler_rates_f32 *at_start,
+                                                           const schuler_rates_f32 *at_end,
+                                                           const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_read(const schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_read_own(const schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                    schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_predict(const schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                   schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_predict_own(const schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                       schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_integrated(const schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                      uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_digest(const schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                  schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_earth_fixed_h2b4a2_any_digest_end(const schuler_f32_earth_fixed_h2b4a2_any *state,
+                                                      schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -2994,78 +2994,6 @@ int32_t schuler_f32_earth_fixed_textbook_start_own(schuler_f32_earth_fixed_textb
                                                    const schuler_pair_f32 *interval_s,
                                                    uint32_t order,
                                                    const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_textbook_push(schuler_f32_earth_fixed_textbook *state,
-                                              const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32_earth_fixed_textbook_push_rates(schuler_f32_earth_fixed_textbook *state,
-                                                    const schuler_rates_f32 *at_start,
-                                                    const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32_earth_fixed_textbook_push_over(schuler_f32_earth_fixed_textbook *state,
-                                                   const schuler_increment_f32 *sample,
-                                                   const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32_earth_fixed_textbook_push_rates_over(schuler_f32_earth_fixed_textbook *state,
-                                                         const schuler_rates_f32 *at_start,
-                                                         const schuler_rates_f32 *at_end,
-                                                         const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32_earth_fixed_textbook_finish(schuler_f32_earth_fixed_textbook *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_textbook_read(const schuler_f32_earth_fixed_textbook *state,
-                                              schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32_earth_fixed_textbook_read_own(const schuler_f32_earth_fixed_textbook *state,
-                                                  schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32_earth_fixed_textbook_predict(const schuler_f32_earth_fixed_textbook *state,
-                                                 schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32_earth_fixed_textbook_predict_own(const schuler_f32_earth_fixed_textbook *state,
-                                                     schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_textbook_correct(schuler_f32_earth_fixed_textbook *state,
-                                                 const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32_earth_fixed_textbook_hold_vertical(schuler_f32_earth_fixed_textbook *state,
-                                                       float altitude_m,
-                                                       float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32_earth_fixed_textbook_integrated(const schuler_f32_earth_fixed_textbook *state,
-                                                    uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32_earth_fixed_textbook_digest(const schuler_f32_earth_fixed_textbook *state,
-                                                schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32_earth_fixed_textbook_digest_end(const schuler_f32_earth_fixed_textbook *state,
-                                                    schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32_EARTH_FIXED_TEXTBOOK_SAVED of them, to the front of `length`. Fails with
@@ -3089,6 +3017,78 @@ int32_t schuler_f32_earth_fixed_textbook_forget(schuler_f32_earth_fixed_textbook
 /** Bytes that the library needs of a schuler_f32_earth_fixed_textbook: at most its size. */
 size_t schuler_f32_earth_fixed_textbook_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_textbook_push(schuler_f32_earth_fixed_textbook *state,
+                                              const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32_earth_fixed_textbook_push_rates(schuler_f32_earth_fixed_textbook *state,
+                                                    const schuler_rates_f32 *at_start,
+                                                    const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32_earth_fixed_textbook_finish(schuler_f32_earth_fixed_textbook *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_textbook_correct(schuler_f32_earth_fixed_textbook *state,
+                                                 const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32_earth_fixed_textbook_hold_vertical(schuler_f32_earth_fixed_textbook *state,
+                                                       float altitude_m,
+                                                       float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32_earth_fixed_textbook_push_over(schuler_f32_earth_fixed_textbook *state,
+                                                   const schuler_increment_f32 *sample,
+                                                   const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32_earth_fixed_textbook_push_rates_over(schuler_f32_earth_fixed_textbook *state,
+                                                         const schuler_rates_f32 *at_start,
+                                                         const schuler_rates_f32 *at_end,
+                                                         const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_textbook_read(const schuler_f32_earth_fixed_textbook *state,
+                                              schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32_earth_fixed_textbook_read_own(const schuler_f32_earth_fixed_textbook *state,
+                                                  schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32_earth_fixed_textbook_predict(const schuler_f32_earth_fixed_textbook *state,
+                                                 schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32_earth_fixed_textbook_predict_own(const schuler_f32_earth_fixed_textbook *state,
+                                                     schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32_earth_fixed_textbook_integrated(const schuler_f32_earth_fixed_textbook *state,
+                                                    uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32_earth_fixed_textbook_digest(const schuler_f32_earth_fixed_textbook *state,
+                                                schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32_earth_fixed_textbook_digest_end(const schuler_f32_earth_fixed_textbook *state,
+                                                    schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -3106,65 +3106,6 @@ int32_t schuler_f32x2_local_level_h0b4a0_start_own(schuler_f32x2_local_level_h0b
                                                    const schuler_pair_f32 *interval_s,
                                                    uint32_t order,
                                                    const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_push(schuler_f32x2_local_level_h0b4a0 *state,
-                                              const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32x2_local_level_h0b4a0_push_rates(schuler_f32x2_local_level_h0b4a0 *state,
-                                                    const schuler_rates_f32 *at_start,
-                                                    const schuler_rates_f32 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32x2_local_level_h0b4a0_finish(schuler_f32x2_local_level_h0b4a0 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_read(const schuler_f32x2_local_level_h0b4a0 *state,
-                                              schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32x2_local_level_h0b4a0_read_own(const schuler_f32x2_local_level_h0b4a0 *state,
-                                                  schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_predict(const schuler_f32x2_local_level_h0b4a0 *state,
-                                                 schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32x2_local_level_h0b4a0_predict_own(const schuler_f32x2_local_level_h0b4a0 *state,
-                                                     schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_correct(schuler_f32x2_local_level_h0b4a0 *state,
-                                                 const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_hold_vertical(schuler_f32x2_local_level_h0b4a0 *state,
-                                                       float altitude_m,
-                                                       float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32x2_local_level_h0b4a0_integrated(const schuler_f32x2_local_level_h0b4a0 *state,
-                                                    uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32x2_local_level_h0b4a0_digest(const schuler_f32x2_local_level_h0b4a0 *state,
-                                                schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32x2_local_level_h0b4a0_digest_end(const schuler_f32x2_local_level_h0b4a0 *state,
-                                                    schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32X2_LOCAL_LEVEL_H0B4A0_SAVED of them, to the front of `length`. Fails with
@@ -3188,6 +3129,65 @@ int32_t schuler_f32x2_local_level_h0b4a0_forget(schuler_f32x2_local_level_h0b4a0
 /** Bytes that the library needs of a schuler_f32x2_local_level_h0b4a0: at most its size. */
 size_t schuler_f32x2_local_level_h0b4a0_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_push(schuler_f32x2_local_level_h0b4a0 *state,
+                                              const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32x2_local_level_h0b4a0_push_rates(schuler_f32x2_local_level_h0b4a0 *state,
+                                                    const schuler_rates_f32 *at_start,
+                                                    const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32x2_local_level_h0b4a0_finish(schuler_f32x2_local_level_h0b4a0 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_correct(schuler_f32x2_local_level_h0b4a0 *state,
+                                                 const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_hold_vertical(schuler_f32x2_local_level_h0b4a0 *state,
+                                                       float altitude_m,
+                                                       float down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_read(const schuler_f32x2_local_level_h0b4a0 *state,
+                                              schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32x2_local_level_h0b4a0_read_own(const schuler_f32x2_local_level_h0b4a0 *state,
+                                                  schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_predict(const schuler_f32x2_local_level_h0b4a0 *state,
+                                                 schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32x2_local_level_h0b4a0_predict_own(const schuler_f32x2_local_level_h0b4a0 *state,
+                                                     schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32x2_local_level_h0b4a0_integrated(const schuler_f32x2_local_level_h0b4a0 *state,
+                                                    uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32x2_local_level_h0b4a0_digest(const schuler_f32x2_local_level_h0b4a0 *state,
+                                                schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32x2_local_level_h0b4a0_digest_end(const schuler_f32x2_local_level_h0b4a0 *state,
+                                                    schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -3205,78 +3205,6 @@ int32_t schuler_f32x2_local_level_h0b4a0_any_start_own(schuler_f32x2_local_level
                                                        const schuler_pair_f32 *interval_s,
                                                        uint32_t order,
                                                        const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_push(schuler_f32x2_local_level_h0b4a0_any *state,
-                                                  const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_push_rates(schuler_f32x2_local_level_h0b4a0_any *state,
-                                                        const schuler_rates_f32 *at_start,
-                                                        const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_push_over(schuler_f32x2_local_level_h0b4a0_any *state,
-                                                       const schuler_increment_f32 *sample,
-                                                       const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_push_rates_over(schuler_f32x2_local_level_h0b4a0_any *state,
-                                                             const schuler_rates_f32 *at_start,
-                                                             const schuler_rates_f32 *at_end,
-                                                             const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_finish(schuler_f32x2_local_level_h0b4a0_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_read(const schuler_f32x2_local_level_h0b4a0_any *state,
-                                                  schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_read_own(const schuler_f32x2_local_level_h0b4a0_any *state,
-                                                      schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_predict(const schuler_f32x2_local_level_h0b4a0_any *state,
-                                                     schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_predict_own(const schuler_f32x2_local_level_h0b4a0_any *state,
-                                                         schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_correct(schuler_f32x2_local_level_h0b4a0_any *state,
-                                                     const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_hold_vertical(schuler_f32x2_local_level_h0b4a0_any *state,
-                                                           float altitude_m,
-                                                           float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_integrated(const schuler_f32x2_local_level_h0b4a0_any *state,
-                                                        uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_digest(const schuler_f32x2_local_level_h0b4a0_any *state,
-                                                    schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32x2_local_level_h0b4a0_any_digest_end(const schuler_f32x2_local_level_h0b4a0_any *state,
-                                                        schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32X2_LOCAL_LEVEL_H0B4A0_ANY_SAVED of them, to the front of `length`. Fails with
@@ -3300,6 +3228,78 @@ int32_t schuler_f32x2_local_level_h0b4a0_any_forget(schuler_f32x2_local_level_h0
 /** Bytes that the library needs of a schuler_f32x2_local_level_h0b4a0_any: at most its size. */
 size_t schuler_f32x2_local_level_h0b4a0_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_push(schuler_f32x2_local_level_h0b4a0_any *state,
+                                                  const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_push_rates(schuler_f32x2_local_level_h0b4a0_any *state,
+                                                        const schuler_rates_f32 *at_start,
+                                                        const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_finish(schuler_f32x2_local_level_h0b4a0_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_correct(schuler_f32x2_local_level_h0b4a0_any *state,
+                                                     const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_hold_vertical(schuler_f32x2_local_level_h0b4a0_any *state,
+                                                           float altitude_m,
+                                                           float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_push_over(schuler_f32x2_local_level_h0b4a0_any *state,
+                                                       const schuler_increment_f32 *sample,
+                                                       const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_push_rates_over(schuler_f32x2_local_level_h0b4a0_any *state,
+                                                             const schuler_rates_f32 *at_start,
+                                                             const schuler_rates_f32 *at_end,
+                                                             const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_read(const schuler_f32x2_local_level_h0b4a0_any *state,
+                                                  schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_read_own(const schuler_f32x2_local_level_h0b4a0_any *state,
+                                                      schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_predict(const schuler_f32x2_local_level_h0b4a0_any *state,
+                                                     schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_predict_own(const schuler_f32x2_local_level_h0b4a0_any *state,
+                                                         schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_integrated(const schuler_f32x2_local_level_h0b4a0_any *state,
+                                                        uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_digest(const schuler_f32x2_local_level_h0b4a0_any *state,
+                                                    schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32x2_local_level_h0b4a0_any_digest_end(const schuler_f32x2_local_level_h0b4a0_any *state,
+                                                        schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -3317,65 +3317,6 @@ int32_t schuler_f32x2_local_level_h2b4a2_start_own(schuler_f32x2_local_level_h2b
                                                    const schuler_pair_f32 *interval_s,
                                                    uint32_t order,
                                                    const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_push(schuler_f32x2_local_level_h2b4a2 *state,
-                                              const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32x2_local_level_h2b4a2_push_rates(schuler_f32x2_local_level_h2b4a2 *state,
-                                                    const schuler_rates_f32 *at_start,
-                                                    const schuler_rates_f32 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32x2_local_level_h2b4a2_finish(schuler_f32x2_local_level_h2b4a2 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_read(const schuler_f32x2_local_level_h2b4a2 *state,
-                                              schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32x2_local_level_h2b4a2_read_own(const schuler_f32x2_local_level_h2b4a2 *state,
-                                                  schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_predict(const schuler_f32x2_local_level_h2b4a2 *state,
-                                                 schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32x2_local_level_h2b4a2_predict_own(const schuler_f32x2_local_level_h2b4a2 *state,
-                                                     schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_correct(schuler_f32x2_local_level_h2b4a2 *state,
-                                                 const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_hold_vertical(schuler_f32x2_local_level_h2b4a2 *state,
-                                                       float altitude_m,
-                                                       float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32x2_local_level_h2b4a2_integrated(const schuler_f32x2_local_level_h2b4a2 *state,
-                                                    uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32x2_local_level_h2b4a2_digest(const schuler_f32x2_local_level_h2b4a2 *state,
-                                                schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32x2_local_level_h2b4a2_digest_end(const schuler_f32x2_local_level_h2b4a2 *state,
-                                                    schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32X2_LOCAL_LEVEL_H2B4A2_SAVED of them, to the front of `length`. Fails with
@@ -3399,6 +3340,65 @@ int32_t schuler_f32x2_local_level_h2b4a2_forget(schuler_f32x2_local_level_h2b4a2
 /** Bytes that the library needs of a schuler_f32x2_local_level_h2b4a2: at most its size. */
 size_t schuler_f32x2_local_level_h2b4a2_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_push(schuler_f32x2_local_level_h2b4a2 *state,
+                                              const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32x2_local_level_h2b4a2_push_rates(schuler_f32x2_local_level_h2b4a2 *state,
+                                                    const schuler_rates_f32 *at_start,
+                                                    const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32x2_local_level_h2b4a2_finish(schuler_f32x2_local_level_h2b4a2 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_correct(schuler_f32x2_local_level_h2b4a2 *state,
+                                                 const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_hold_vertical(schuler_f32x2_local_level_h2b4a2 *state,
+                                                       float altitude_m,
+                                                       float down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_read(const schuler_f32x2_local_level_h2b4a2 *state,
+                                              schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32x2_local_level_h2b4a2_read_own(const schuler_f32x2_local_level_h2b4a2 *state,
+                                                  schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_predict(const schuler_f32x2_local_level_h2b4a2 *state,
+                                                 schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32x2_local_level_h2b4a2_predict_own(const schuler_f32x2_local_level_h2b4a2 *state,
+                                                     schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32x2_local_level_h2b4a2_integrated(const schuler_f32x2_local_level_h2b4a2 *state,
+                                                    uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32x2_local_level_h2b4a2_digest(const schuler_f32x2_local_level_h2b4a2 *state,
+                                                schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32x2_local_level_h2b4a2_digest_end(const schuler_f32x2_local_level_h2b4a2 *state,
+                                                    schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -3416,78 +3416,6 @@ int32_t schuler_f32x2_local_level_h2b4a2_any_start_own(schuler_f32x2_local_level
                                                        const schuler_pair_f32 *interval_s,
                                                        uint32_t order,
                                                        const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_push(schuler_f32x2_local_level_h2b4a2_any *state,
-                                                  const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_push_rates(schuler_f32x2_local_level_h2b4a2_any *state,
-                                                        const schuler_rates_f32 *at_start,
-                                                        const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_push_over(schuler_f32x2_local_level_h2b4a2_any *state,
-                                                       const schuler_increment_f32 *sample,
-                                                       const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_push_rates_over(schuler_f32x2_local_level_h2b4a2_any *state,
-                                                             const schuler_rates_f32 *at_start,
-                                                             const schuler_rates_f32 *at_end,
-                                                             const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_finish(schuler_f32x2_local_level_h2b4a2_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_read(const schuler_f32x2_local_level_h2b4a2_any *state,
-                                                  schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_read_own(const schuler_f32x2_local_level_h2b4a2_any *state,
-                                                      schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_predict(const schuler_f32x2_local_level_h2b4a2_any *state,
-                                                     schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_predict_own(const schuler_f32x2_local_level_h2b4a2_any *state,
-                                                         schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_correct(schuler_f32x2_local_level_h2b4a2_any *state,
-                                                     const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_hold_vertical(schuler_f32x2_local_level_h2b4a2_any *state,
-                                                           float altitude_m,
-                                                           float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_integrated(const schuler_f32x2_local_level_h2b4a2_any *state,
-                                                        uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_digest(const schuler_f32x2_local_level_h2b4a2_any *state,
-                                                    schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32x2_local_level_h2b4a2_any_digest_end(const schuler_f32x2_local_level_h2b4a2_any *state,
-                                                        schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32X2_LOCAL_LEVEL_H2B4A2_ANY_SAVED of them, to the front of `length`. Fails with
@@ -3511,6 +3439,78 @@ int32_t schuler_f32x2_local_level_h2b4a2_any_forget(schuler_f32x2_local_level_h2
 /** Bytes that the library needs of a schuler_f32x2_local_level_h2b4a2_any: at most its size. */
 size_t schuler_f32x2_local_level_h2b4a2_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_push(schuler_f32x2_local_level_h2b4a2_any *state,
+                                                  const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_push_rates(schuler_f32x2_local_level_h2b4a2_any *state,
+                                                        const schuler_rates_f32 *at_start,
+                                                        const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_finish(schuler_f32x2_local_level_h2b4a2_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_correct(schuler_f32x2_local_level_h2b4a2_any *state,
+                                                     const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_hold_vertical(schuler_f32x2_local_level_h2b4a2_any *state,
+                                                           float altitude_m,
+                                                           float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_push_over(schuler_f32x2_local_level_h2b4a2_any *state,
+                                                       const schuler_increment_f32 *sample,
+                                                       const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_push_rates_over(schuler_f32x2_local_level_h2b4a2_any *state,
+                                                             const schuler_rates_f32 *at_start,
+                                                             const schuler_rates_f32 *at_end,
+                                                             const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_read(const schuler_f32x2_local_level_h2b4a2_any *state,
+                                                  schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_read_own(const schuler_f32x2_local_level_h2b4a2_any *state,
+                                                      schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_predict(const schuler_f32x2_local_level_h2b4a2_any *state,
+                                                     schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_predict_own(const schuler_f32x2_local_level_h2b4a2_any *state,
+                                                         schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_integrated(const schuler_f32x2_local_level_h2b4a2_any *state,
+                                                        uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_digest(const schuler_f32x2_local_level_h2b4a2_any *state,
+                                                    schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32x2_local_level_h2b4a2_any_digest_end(const schuler_f32x2_local_level_h2b4a2_any *state,
+                                                        schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -3528,65 +3528,6 @@ int32_t schuler_f32x2_earth_fixed_h0b4a0_start_own(schuler_f32x2_earth_fixed_h0b
                                                    const schuler_pair_f32 *interval_s,
                                                    uint32_t order,
                                                    const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_push(schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                              const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_push_rates(schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                                    const schuler_rates_f32 *at_start,
-                                                    const schuler_rates_f32 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_finish(schuler_f32x2_earth_fixed_h0b4a0 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_read(const schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                              schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_read_own(const schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                                  schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_predict(const schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                                 schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_predict_own(const schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                                     schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_correct(schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                                 const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_hold_vertical(schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                                       float altitude_m,
-                                                       float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_integrated(const schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                                    uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_digest(const schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                                schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_digest_end(const schuler_f32x2_earth_fixed_h0b4a0 *state,
-                                                    schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32X2_EARTH_FIXED_H0B4A0_SAVED of them, to the front of `length`. Fails with
@@ -3610,6 +3551,65 @@ int32_t schuler_f32x2_earth_fixed_h0b4a0_forget(schuler_f32x2_earth_fixed_h0b4a0
 /** Bytes that the library needs of a schuler_f32x2_earth_fixed_h0b4a0: at most its size. */
 size_t schuler_f32x2_earth_fixed_h0b4a0_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_push(schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                              const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_push_rates(schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                                    const schuler_rates_f32 *at_start,
+                                                    const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_finish(schuler_f32x2_earth_fixed_h0b4a0 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_correct(schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                                 const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_hold_vertical(schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                                       float altitude_m,
+                                                       float down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_read(const schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                              schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_read_own(const schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                                  schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_predict(const schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                                 schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_predict_own(const schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                                     schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_integrated(const schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                                    uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_digest(const schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                                schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_digest_end(const schuler_f32x2_earth_fixed_h0b4a0 *state,
+                                                    schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -3627,78 +3627,6 @@ int32_t schuler_f32x2_earth_fixed_h0b4a0_any_start_own(schuler_f32x2_earth_fixed
                                                        const schuler_pair_f32 *interval_s,
                                                        uint32_t order,
                                                        const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_push(schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                  const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_push_rates(schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                        const schuler_rates_f32 *at_start,
-                                                        const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_push_over(schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                       const schuler_increment_f32 *sample,
-                                                       const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_push_rates_over(schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                             const schuler_rates_f32 *at_start,
-                                                             const schuler_rates_f32 *at_end,
-                                                             const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_finish(schuler_f32x2_earth_fixed_h0b4a0_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_read(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                  schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_read_own(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                      schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_predict(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                     schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_predict_own(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                         schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_correct(schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                     const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_hold_vertical(schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                           float altitude_m,
-                                                           float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_integrated(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                        uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_digest(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                    schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32x2_earth_fixed_h0b4a0_any_digest_end(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
-                                                        schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32X2_EARTH_FIXED_H0B4A0_ANY_SAVED of them, to the front of `length`. Fails with
@@ -3722,6 +3650,78 @@ int32_t schuler_f32x2_earth_fixed_h0b4a0_any_forget(schuler_f32x2_earth_fixed_h0
 /** Bytes that the library needs of a schuler_f32x2_earth_fixed_h0b4a0_any: at most its size. */
 size_t schuler_f32x2_earth_fixed_h0b4a0_any_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_push(schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                  const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_push_rates(schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                        const schuler_rates_f32 *at_start,
+                                                        const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_finish(schuler_f32x2_earth_fixed_h0b4a0_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_correct(schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                     const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_hold_vertical(schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                           float altitude_m,
+                                                           float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_push_over(schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                       const schuler_increment_f32 *sample,
+                                                       const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_push_rates_over(schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                             const schuler_rates_f32 *at_start,
+                                                             const schuler_rates_f32 *at_end,
+                                                             const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_read(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                  schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_read_own(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                      schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_predict(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                     schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_predict_own(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                         schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_integrated(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                        uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_digest(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                    schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32x2_earth_fixed_h0b4a0_any_digest_end(const schuler_f32x2_earth_fixed_h0b4a0_any *state,
+                                                        schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -3739,65 +3739,6 @@ int32_t schuler_f32x2_earth_fixed_h2b4a2_start_own(schuler_f32x2_earth_fixed_h2b
                                                    const schuler_pair_f32 *interval_s,
                                                    uint32_t order,
                                                    const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_push(schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                              const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_push_rates(schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                                    const schuler_rates_f32 *at_start,
-                                                    const schuler_rates_f32 *at_end);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_finish(schuler_f32x2_earth_fixed_h2b4a2 *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_read(const schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                              schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_read_own(const schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                                  schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_predict(const schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                                 schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_predict_own(const schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                                     schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_correct(schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                                 const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_hold_vertical(schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                                       float altitude_m,
-                                                       float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_integrated(const schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                                    uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_digest(const schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                                schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_digest_end(const schuler_f32x2_earth_fixed_h2b4a2 *state,
-                                                    schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32X2_EARTH_FIXED_H2B4A2_SAVED of them, to the front of `length`. Fails with
@@ -3821,6 +3762,65 @@ int32_t schuler_f32x2_earth_fixed_h2b4a2_forget(schuler_f32x2_earth_fixed_h2b4a2
 /** Bytes that the library needs of a schuler_f32x2_earth_fixed_h2b4a2: at most its size. */
 size_t schuler_f32x2_earth_fixed_h2b4a2_size(void);
 
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_push(schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                              const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_push_rates(schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                                    const schuler_rates_f32 *at_start,
+                                                    const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_finish(schuler_f32x2_earth_fixed_h2b4a2 *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_correct(schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                                 const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_hold_vertical(schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                                       float altitude_m,
+                                                       float down_m_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_read(const schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                              schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_read_own(const schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                                  schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_predict(const schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                                 schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_predict_own(const schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                                     schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_integrated(const schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                                    uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_digest(const schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                                schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_digest_end(const schuler_f32x2_earth_fixed_h2b4a2 *state,
+                                                    schuler_digest *digest);
+
 /** Starts a navigator at `rate_hz` samples per second (at least 1) from an initial solution in local axes.
  * `abi` is SCHULER_ABI; `order` is the highest order of its series, 0 for that of its window (for what a
  * motion needs, see `plan::order` of the core). Fails with SCHULER_ERROR_NULL, _MISALIGNED, _ABI,
@@ -3838,78 +3838,6 @@ int32_t schuler_f32x2_earth_fixed_h2b4a2_any_start_own(schuler_f32x2_earth_fixed
                                                        const schuler_pair_f32 *interval_s,
                                                        uint32_t order,
                                                        const schuler_solution_f32 *initial);
-
-/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
- * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_push(schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                  const schuler_increment_f32 *sample);
-
-/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
- * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_push_rates(schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                        const schuler_rates_f32 *at_start,
-                                                        const schuler_rates_f32 *at_end);
-
-/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
- * interval of the start it leaves the bits of _push. Fails as _push does, and with
- * SCHULER_REJECTED_INTERVAL. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_push_over(schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                       const schuler_increment_f32 *sample,
-                                                       const schuler_pair_f32 *interval_s);
-
-/** The same for rates at the sample's start and end. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_push_rates_over(schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                             const schuler_rates_f32 *at_start,
-                                                             const schuler_rates_f32 *at_end,
-                                                             const schuler_pair_f32 *interval_s);
-
-/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
- * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_finish(schuler_f32x2_earth_fixed_h2b4a2_any *state);
-
-/** The solution at the end of the last block, in local axes and in double precision, from all digits that
- * the navigator carries. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_read(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                  schuler_solution_f64 *solution);
-
-/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_read_own(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                      schuler_solution_f32 *solution);
-
-/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
- * change. Fails as _finish does; `solution` is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_predict(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                     schuler_solution_f64 *solution);
-
-/** The same as _read_own has it. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_predict_own(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                         schuler_solution_f32 *solution);
-
-/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
- * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_correct(schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                     const schuler_correction_f32 *correction);
-
-/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
- * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_hold_vertical(schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                           float altitude_m,
-                                                           float down_m_s);
-
-/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_integrated(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                        uint64_t *samples);
-
-/** Adds the state to a running digest if a block has been completed since the last time: call it after
- * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
- * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_digest(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                    schuler_digest *digest);
-
-/** The same at the end of the stream, after _finish: the last state is added in any case. */
-int32_t schuler_f32x2_earth_fixed_h2b4a2_any_digest_end(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
-                                                        schuler_digest *digest);
 
 /** Writes the state as bytes that any target can restore, with a check:
  * SCHULER_F32X2_EARTH_FIXED_H2B4A2_ANY_SAVED of them, to the front of `length`. Fails with
@@ -3932,6 +3860,78 @@ int32_t schuler_f32x2_earth_fixed_h2b4a2_any_forget(schuler_f32x2_earth_fixed_h2
 
 /** Bytes that the library needs of a schuler_f32x2_earth_fixed_h2b4a2_any: at most its size. */
 size_t schuler_f32x2_earth_fixed_h2b4a2_any_size(void);
+
+/** Takes a sample: increments over the interval that the navigator was started with. The state moves on
+ * whenever a block is complete. Fails with SCHULER_REJECTED_ANGLE, _VELOCITY, _TURN, _POLE or _PLACE,
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_push(schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                  const schuler_increment_f32 *sample);
+
+/** The same for a unit that delivers rates: those at the start and at the end of the sample, integrated by
+ * the trapezoid. A unit that averages over the sample has increments: mean times interval, for _push. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_push_rates(schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                        const schuler_rates_f32 *at_start,
+                                                        const schuler_rates_f32 *at_end);
+
+/** Ends the stream: integrates the samples that wait for look-ahead. More may follow. Fails with
+ * SCHULER_ERROR_NULL, _MISALIGNED, _NOT_STARTED, _FOREIGN or _STALE. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_finish(schuler_f32x2_earth_fixed_h2b4a2_any *state);
+
+/** Corrects the state at the end of the last block, as a filter does. Fails with SCHULER_CORRECTION_SIZE,
+ * _POLE, _PLACE or _STATE, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_correct(schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                     const schuler_correction_f32 *correction);
+
+/** Holds the vertical, as an altimeter would: height above the ellipsoid, m, and vertical velocity, down
+ * positive, m/s. Fails with SCHULER_REJECTED_HELD, and as _finish does; the state is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_hold_vertical(schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                           float altitude_m,
+                                                           float down_m_s);
+
+/** Takes a sample that lasts `interval_s` seconds, above 0 and at most 1, given with its rest. At the
+ * interval of the start it leaves the bits of _push. Fails as _push does, and with
+ * SCHULER_REJECTED_INTERVAL. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_push_over(schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                       const schuler_increment_f32 *sample,
+                                                       const schuler_pair_f32 *interval_s);
+
+/** The same for rates at the sample's start and end. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_push_rates_over(schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                             const schuler_rates_f32 *at_start,
+                                                             const schuler_rates_f32 *at_end,
+                                                             const schuler_pair_f32 *interval_s);
+
+/** The solution at the end of the last block, in local axes and in double precision, from all digits that
+ * the navigator carries. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_read(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                  schuler_solution_f64 *solution);
+
+/** The same in the navigator's own precision and axes: every bit of its output, and the least work. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_read_own(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                      schuler_solution_f32 *solution);
+
+/** The solution at the newest sample, without the delay of a block, as _read has it. The state does not
+ * change. Fails as _finish does; `solution` is as it was then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_predict(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                     schuler_solution_f64 *solution);
+
+/** The same as _read_own has it. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_predict_own(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                         schuler_solution_f32 *solution);
+
+/** How many samples lie behind the solution that _read gives. Fails as _finish does. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_integrated(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                        uint64_t *samples);
+
+/** Adds the state to a running digest if a block has been completed since the last time: call it after
+ * every sample, then _finish and _digest_end. For the same samples the digest is the same on every target,
+ * and that of `schuler run` and `schuler hil`. Fails as _finish does; nothing changes then. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_digest(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                    schuler_digest *digest);
+
+/** The same at the end of the stream, after _finish: the last state is added in any case. */
+int32_t schuler_f32x2_earth_fixed_h2b4a2_any_digest_end(const schuler_f32x2_earth_fixed_h2b4a2_any *state,
+                                                        schuler_digest *digest);
 
 /** The name of a result, such as "SCHULER_ERROR_NULL": a constant text, never null. */
 const char *schuler_result_name(int32_t result);

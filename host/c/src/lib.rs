@@ -18,6 +18,7 @@
 
 #![cfg_attr(not(test), no_std)]
 #![allow(non_camel_case_types, reason = "C's names")]
+#![allow(clippy::too_many_arguments, reason = "C's functions have no builders")]
 #![deny(unsafe_op_in_unsafe_fn, clippy::indexing_slicing, clippy::unwrap_used, clippy::panic)]
 
 mod alignment;

@@ -17,6 +17,7 @@
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
 mod audit;
+mod audit_limits;
 mod audit_refused;
 mod command_line;
 mod ensemble;

@@ -16,19 +16,44 @@ use crate::math::real::Real;
 /// Numerator and denominator, by falling powers.
 type Rational<C, const N: usize, const D: usize> = ([C; N], [C; D]);
 
-/// P(r)/Q(r), by Horner's rule.
+/// An entry of a table, as a number of the type in use. No closures here: packs are slow where one is not
+/// inlined.
+trait Entry<R>: Copy {
+    fn number(self) -> R;
+}
+
+impl<R: Real> Entry<R> for f64 {
+    #[inline(always)]
+    fn number(self) -> R {
+        R::of(self)
+    }
+}
+
+impl Entry<f32> for f32 {
+    #[inline(always)]
+    fn number(self) -> f32 {
+        self
+    }
+}
+
+/// P(r)/Q(r).
 #[inline(always)]
-fn ratio<R: Real, C: Copy, const N: usize, const D: usize>(
+fn ratio<R: Real, C: Entry<R>, const N: usize, const D: usize>(
     table: &Rational<C, N, D>,
-    number: impl Fn(C) -> R,
     r: R,
 ) -> R {
-    let horner = |coefficients: &[C]| {
-        let mut powers = coefficients.iter().map(|&c| number(c));
-        let first = powers.next().unwrap_or(R::ZERO);
-        powers.fold(first, |sum, c| sum * r + c)
-    };
-    horner(&table.0) / horner(&table.1)
+    horner(&table.0, r) / horner(&table.1, r)
+}
+
+/// A polynomial in r, by Horner's rule.
+#[inline(always)]
+fn horner<R: Real, C: Entry<R>>(coefficients: &[C], r: R) -> R {
+    let [first, rest @ ..] = coefficients else { return R::ZERO };
+    let mut sum = first.number();
+    for c in rest {
+        sum = sum * r + c.number();
+    }
+    sum
 }
 
 /// PPND16: relative error about 1e-16. Packs of runs have the bits of a single `f64`.
@@ -47,7 +72,7 @@ pub mod double {
     #[inline(always)]
     pub fn centre<R: Real>(q: R) -> R {
         // z = q P(r)/Q(r),  r = 0.425² − q²
-        q * ratio(&CENTRAL, R::of, R::of(0.180625) - q * q)
+        q * ratio(&CENTRAL, R::of(0.180625) - q * q)
     }
 
     const CENTRAL: Rational<f64, 8, 8> = (
@@ -124,13 +149,9 @@ pub mod double {
     pub fn tail<R: Real>(p: R) -> R {
         // r = √(−ln p)
         let r = (-p.ln()).sqrt();
-        let near = ratio(&TAIL, R::of, r - R::of(1.6));
+        let near = ratio(&TAIL, r - R::of(1.6));
         let far = R::of(5.0).less(r);
-        if R::any(far) {
-            R::select(far, ratio(&FAR_TAIL, R::of, r - R::of(5.0)), near)
-        } else {
-            near
-        }
+        if R::any(far) { R::select(far, ratio(&FAR_TAIL, r - R::of(5.0)), near) } else { near }
     }
 }
 
@@ -146,7 +167,7 @@ pub(super) mod single {
     #[inline(always)]
     pub fn centre(q: f32) -> f32 {
         // z = q P(r)/Q(r),  r = 0.425² − q²
-        q * ratio(&CENTRAL, |c| c, 0.180625 - q * q)
+        q * ratio(&CENTRAL, 0.180625 - q * q)
     }
 
     const CENTRAL: Rational<f32, 4, 4> = (
@@ -164,6 +185,6 @@ pub(super) mod single {
     pub fn tail(p: f32) -> f32 {
         // r = √(−ln p)
         let r = Real::sqrt(-Real::ln(p));
-        ratio(&TAIL, |c| c, r - 1.6)
+        ratio(&TAIL, r - 1.6)
     }
 }

@@ -110,12 +110,15 @@ impl<R: Random> ErrorTerm<R> for Flicker<R> {
     fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
         let mut sum = Vector::ZERO;
         for (part, process) in state.parts.iter_mut().zip(self.poles.iter().flatten()) {
-            let axes = sum.each_mut().into_iter().zip(part.each_mut());
-            for ((sum, value), stream) in axes.zip(state.streams.each_mut()) {
-                *sum = *sum + process.advance(value, stream);
-            }
+            let [x, y, z] = state.streams.each_mut();
+            let integral = Vector {
+                x: process.advance(&mut part.x, x),
+                y: process.advance(&mut part.y, y),
+                z: process.advance(&mut part.z, z),
+            };
+            sum = sum + integral;
         }
-        reading.increment = reading.increment + self.instability.zip(sum, |b, s: R| b * s);
+        reading.increment = reading.increment + self.instability.times(sum);
     }
 }
 

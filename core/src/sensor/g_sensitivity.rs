@@ -56,7 +56,7 @@ impl<R: Random> ErrorTerm<R> for GSensitivity<R> {
     #[inline(always)]
     fn apply(&self, _: &mut (), stimulus: &Stimulus<R>, reading: &mut Reading<R>) {
         // G = diag(g):  ∫G·f dt = G·Δv
-        let error = self.coefficient.zip(stimulus.velocity_b, |g, f| g * f);
+        let error = self.coefficient.times(stimulus.velocity_b);
         reading.increment = reading.increment + error;
     }
 }

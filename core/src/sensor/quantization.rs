@@ -25,6 +25,7 @@
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};
+use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
@@ -71,29 +72,56 @@ impl<R: Random> ErrorTerm<R> for Quantization<R> {
     fn apply(&self, remainder: &mut Vector<R>, _: &Stimulus<R>, reading: &mut Reading<R>) {
         // y = x + c,  out = q·round(y/q),  c ← y − out
         let exact = reading.increment + *remainder;
-        let steps = self.step.zip(self.steps_per_unit, |q, inverse| (q, inverse));
-        let whole =
-            |y: R, (q, inverse): (R, R)| R::select(R::ZERO.less(q), q * (y * inverse).round(), y);
-        let mut out = exact.zip(steps, whole);
-        let mut rest = exact - out;
-        if let Some(limit) = reading.limit {
-            let most = limit.zip(steps, most);
-            let cut = |y: R, most: R| R::select(most.less(y), most, y);
-            let within = |y: R, most: R| R::select(y.less(R::ZERO), -cut(-y, most), cut(y, most));
-            let limited = out.zip(most, within);
-            let Vector { x, y, z } = limited.zip(out, |a, b| a.less(b) | b.less(a));
-            reading.saturated = reading.saturated | x | y | z;
-            out = limited;
-            rest = (exact - out).zip(self.step, |c, q| within(c, q * R::HALF));
-        }
-        reading.increment = out;
-        *remainder = rest;
+        let (q, inverse) = (self.step, self.steps_per_unit);
+        let out = Vector {
+            x: whole(exact.x, q.x, inverse.x),
+            y: whole(exact.y, q.y, inverse.y),
+            z: whole(exact.z, q.z, inverse.z),
+        };
+        (reading.increment, *remainder) = (out, exact - out);
+        let Some(limit) = reading.limit else { return };
+        let limited = Vector {
+            x: within(out.x, most(limit.x, q.x, inverse.x)),
+            y: within(out.y, most(limit.y, q.y, inverse.y)),
+            z: within(out.z, most(limit.z, q.z, inverse.z)),
+        };
+        let (x, y, z) =
+            (differ(limited.x, out.x), differ(limited.y, out.y), differ(limited.z, out.z));
+        reading.saturated = reading.saturated | x | y | z;
+        reading.increment = limited;
+        let (rest, half) = (exact - limited, q * R::HALF);
+        *remainder = Vector {
+            x: within(rest.x, half.x),
+            y: within(rest.y, half.y),
+            z: within(rest.z, half.z),
+        };
     }
+}
+
+/// The nearest whole number of steps, as an increment; the same where there is no step.
+#[inline(always)]
+fn whole<R: Real>(y: R, step: R, steps_per_unit: R) -> R {
+    R::select(R::ZERO.less(step), step * (y * steps_per_unit).round(), y)
+}
+
+/// A number, cut to ± a limit.
+#[inline(always)]
+fn within<R: Real>(y: R, most: R) -> R {
+    let negative = y.less(R::ZERO);
+    let size = R::select(negative, -y, y);
+    let cut = R::select(most.less(size), most, size);
+    R::select(negative, -cut, cut)
+}
+
+/// Whether two numbers differ.
+#[inline(always)]
+fn differ<R: Real>(a: R, b: R) -> R::Mask {
+    a.less(b) | b.less(a)
 }
 
 /// The largest whole number of steps within a limit, as an increment.
 #[inline(always)]
-fn most<R: Random>(limit: R, (step, steps_per_unit): (R, R)) -> R {
+fn most<R: Real>(limit: R, step: R, steps_per_unit: R) -> R {
     let nearest = (limit * steps_per_unit).round();
     // A limit that is a whole number of steps, but for its own rounding, is that number of steps.
     let most = nearest * step;

@@ -84,13 +84,12 @@ impl<R: Random> ErrorTerm<R> for RandomWalk<R> {
     #[inline(always)]
     fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
         let (first, second) = (state.streams.normal(), state.streams.normal());
-        let times = |k: Vector<R>, deviates: Vector<R>| k.zip(deviates, |k, z| k * z);
         // ∫b = b₀Δt + K√Δt·Δt(½z₁ + z₂/√12),  b₁ = b₀ + K√Δt·z₁
         let integral = state.bias * self.interval_s
-            + times(self.coupled, first)
-            + times(self.independent, second);
+            + self.coupled.times(first)
+            + self.independent.times(second);
         reading.increment = reading.increment + integral;
-        state.bias = state.bias + times(self.step, first);
+        state.bias = state.bias + self.step.times(first);
     }
 }
 

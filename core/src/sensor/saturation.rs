@@ -19,6 +19,7 @@
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
+use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
@@ -64,12 +65,20 @@ impl<R: Random> ErrorTerm<R> for Saturation<R> {
 
     #[inline(always)]
     fn apply(&self, _: &mut (), _: &Stimulus<R>, reading: &mut Reading<R>) {
-        let Reading { increment, saturated, limit } = reading;
-        *limit = Some(self.limit);
-        *increment = increment.zip(self.limit, |x, limit| {
-            let (over, under) = (limit.less(x), x.less(-limit));
-            *saturated = *saturated | over | under;
-            R::select(over, limit, R::select(under, -limit, x))
-        });
+        let (read, limit, mark) = (reading.increment, self.limit, &mut reading.saturated);
+        let increment = Vector {
+            x: limited(read.x, limit.x, mark),
+            y: limited(read.y, limit.y, mark),
+            z: limited(read.z, limit.z, mark),
+        };
+        (reading.increment, reading.limit) = (increment, Some(self.limit));
     }
+}
+
+/// A reading within ± a limit, and a mark where it was not.
+#[inline(always)]
+fn limited<R: Real>(x: R, limit: R, saturated: &mut R::Mask) -> R {
+    let (over, under) = (limit.less(x), x.less(-limit));
+    *saturated = *saturated | over | under;
+    R::select(over, limit, R::select(under, -limit, x))
 }

@@ -56,7 +56,7 @@ impl<R: Random> ErrorTerm<R> for ScaleFactor<R> {
     #[inline(always)]
     fn apply(&self, _: &mut (), stimulus: &Stimulus<R>, reading: &mut Reading<R>) {
         // S = diag(s):  S·x
-        let error = self.relative.zip(stimulus.sensed, |s, x| s * x);
+        let error = self.relative.times(stimulus.sensed);
         reading.increment = reading.increment + error;
     }
 }

@@ -57,7 +57,7 @@ impl<R: Random> ErrorTerm<R> for TurnOn<R> {
     #[inline]
     fn start(&self, streams: Streams) -> Vector<R> {
         // ∫b dt = σΔt·z
-        self.rms_increment.zip(Axes::open(streams).normal(), |rms, deviate: R| rms * deviate)
+        self.rms_increment.times(Axes::open(streams).normal())
     }
 
     #[inline(always)]

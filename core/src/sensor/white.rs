@@ -61,7 +61,7 @@ impl<R: Random> ErrorTerm<R> for White<R> {
     #[inline(always)]
     fn apply(&self, streams: &mut Axes<R>, _: &Stimulus<R>, reading: &mut Reading<R>) {
         // N√Δt·z
-        let noise = self.deviation.zip(streams.normal(), |n, z| n * z);
+        let noise = self.deviation.times(streams.normal());
         reading.increment = reading.increment + noise;
     }
 }

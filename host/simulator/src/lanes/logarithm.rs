@@ -32,7 +32,9 @@ const UNITS: f64 = (1u64 << 52) as f64;
 pub fn ln<P: Lanes<N>, const N: usize>(x: P) -> P {
     let normal = x.is_within(P::of(f64::MAX));
     if !normal | P::any(x.less(P::of(f64::MIN_POSITIVE))) {
-        return P::from_lanes(x.lanes().map(Real::ln));
+        let mut lanes = x.lanes();
+        one_by_one(&mut lanes);
+        return P::from_lanes(lanes);
     }
     // x = 2ᵏ(1 + f),  √½ ≤ 1 + f < √2
     let shifted = x.to_bits() + P::Words::all(ONE - ROOT_HALF);
@@ -44,10 +46,19 @@ pub fn ln<P: Lanes<N>, const N: usize>(x: P) -> P {
     let s = f / (P::TWO + f);
     let z = s * s;
     let w = z * z;
-    let [c1, c2, c3, c4, c5, c6, c7] = SERIES.map(P::of);
-    let even = w * (c2 + w * (c4 + w * c6));
-    let odd = z * (c1 + w * (c3 + w * (c5 + w * c7)));
+    let [c1, c2, c3, c4, c5, c6, c7] = SERIES;
+    let even = w * (P::of(c2) + w * (P::of(c4) + w * P::of(c6)));
+    let odd = z * (P::of(c1) + w * (P::of(c3) + w * (P::of(c5) + w * P::of(c7))));
     let half_square = P::HALF * f * f;
-    let [high, low] = LN_2.map(P::of);
-    s * (half_square + (odd + even)) + k * low - half_square + f + k * high
+    let [high, low] = LN_2;
+    s * (half_square + (odd + even)) + k * P::of(low) - half_square + f + k * P::of(high)
+}
+
+/// Zero, subnormal, negative or infinite numbers, or none at all.
+#[cold]
+#[inline(never)]
+fn one_by_one(lanes: &mut [f64]) {
+    for x in lanes {
+        *x = Real::ln(*x);
+    }
 }

@@ -8,11 +8,10 @@ use super::words::Words;
 use super::{InLanes, Registers, in_registers};
 use schuler::noise::Deviate;
 use schuler::noise::quantile::double::{CENTRE, UNIT, centre, tail};
-use std::array;
 use std::marker::PhantomData;
 
 /// How many deviates are made at once, of all lanes together.
-pub const AT_ONCE: usize = 128;
+pub const AT_ONCE: usize = 256;
 
 /// As many words.
 pub type Drawn = [u64; AT_ONCE];
@@ -26,23 +25,38 @@ pub type Generator<const N: usize> = [[u64; N]; 4];
 /// Every bit but the sign.
 const BELOW_SIGN: u64 = u64::MAX >> 1;
 
+/// Which bits of four are set, from the lowest byte on, and how many.
+const MARKED: [(u32, usize); 16] = {
+    let mut table = [(0, 0); 16];
+    let mut bit = 64;
+    while bit > 0 {
+        bit -= 1;
+        let (marks, place) = (bit / 4, bit as u32 % 4);
+        if marks >> place & 1 == 1 {
+            table[marks] = (table[marks].0 << 8 | place, table[marks].1 + 1);
+        }
+    }
+    table
+};
+
 /// The next words of each lane, one of every lane after the other.
 #[inline(always)]
 pub fn draw<P: Lanes<N>, const N: usize>(generator: &mut Generator<N>) -> Drawn {
-    let [mut a, mut b, mut c, mut d] = generator.map(P::Words::from_lanes);
-    let turned = |words: P::Words, places| words.up(places) | words.down(64 - places);
+    let [a, b, c, d] = *generator;
+    let (mut a, mut b) = (P::Words::from_lanes(a), P::Words::from_lanes(b));
+    let (mut c, mut d) = (P::Words::from_lanes(c), P::Words::from_lanes(d));
     let mut drawn = [0; AT_ONCE];
     for words in drawn.as_chunks_mut().0 {
-        *words = (turned(a + d, 23) + a).lanes();
+        *words = ((a + d).turned(23) + a).lanes();
         let moved = b.up(17);
         c = c ^ a;
         d = d ^ b;
         b = b ^ c;
         a = a ^ d;
         c = c ^ moved;
-        d = turned(d, 45);
+        d = d.turned(45);
     }
-    *generator = [a, b, c, d].map(Words::lanes);
+    *generator = [a.lanes(), b.lanes(), c.lanes(), d.lanes()];
     drawn
 }
 
@@ -50,35 +64,50 @@ pub fn draw<P: Lanes<N>, const N: usize>(generator: &mut Generator<N>) -> Drawn 
 #[inline(always)]
 pub fn transform<P: Lanes<N>, const N: usize>(drawn: &Drawn, deviates: &mut Deviates) {
     let below_sign = P::Words::all(BELOW_SIGN);
-    let sign = P::Words::all(!BELOW_SIGN);
-    let signed = |z: P, words: P::Words| P::from_bits(z.to_bits() | (words & sign)).lanes();
-    let probability = |k: P::Words| (P::nearest(k) + P::HALF) * P::of(UNIT);
-
-    let (mut places, mut rare) = ([0u8; AT_ONCE], 0);
+    let (mut places, mut rare) = ([0u8; AT_ONCE + 4], 0);
     let outputs = deviates.as_chunks_mut().0;
-    for ((first, words), output) in (0..).step_by(N).zip(drawn.as_chunks().0).zip(outputs) {
+    let mut first = 0;
+    for (words, output) in drawn.as_chunks().0.iter().zip(outputs) {
         let words = P::Words::from_lanes(*words);
         let k = words & below_sign;
-        *output = signed(centre(probability(k)), words);
-        let mut marks = P::marks(P::beyond(k, CENTRE - 1));
-        while marks != 0 {
-            places[rare % AT_ONCE] = first + marks.trailing_zeros() as u8;
-            rare += 1;
-            marks &= marks - 1;
+        *output = signed::<P, N>(centre(probability(k)), words).lanes();
+        let marks = P::marks(P::beyond(k, CENTRE - 1));
+        // No branch: which words are rare nobody can predict.
+        for four in (0..N).step_by(4) {
+            let (marked, count) = MARKED[(marks >> four) as usize % 16];
+            if let Some(room) = places.get_mut(rare..).and_then(<[u8]>::first_chunk_mut) {
+                *room = (marked + 0x0101_0101 * (first + four as u32)).to_le_bytes();
+            }
+            rare += count;
         }
+        first += N as u32;
     }
     for places in places[..rare].chunks(N) {
         // In lanes that are left over, the first word once more.
-        let places: [usize; N] =
-            array::from_fn(|lane| usize::from(*places.get(lane).unwrap_or(&places[0])) % AT_ONCE);
-        let words = P::Words::from_lanes(places.map(|place| drawn[place]));
+        let mut words = [drawn[usize::from(places[0]) % AT_ONCE]; N];
+        for (word, &place) in words.iter_mut().zip(places) {
+            *word = drawn[usize::from(place) % AT_ONCE];
+        }
+        let words = P::Words::from_lanes(words);
         // 2⁶³ − 1 − k
         let rest = (words & below_sign) ^ below_sign;
-        let tails = signed(tail(probability(rest)), words);
-        for (place, tail) in places.into_iter().zip(tails) {
-            deviates[place] = tail;
+        let tails = signed::<P, N>(tail(probability(rest)), words).lanes();
+        for (&place, tail) in places.iter().zip(tails) {
+            deviates[usize::from(place) % AT_ONCE] = tail;
         }
     }
+}
+
+/// The probability that a word without its sign stands for.
+#[inline(always)]
+fn probability<P: Lanes<N>, const N: usize>(k: P::Words) -> P {
+    (P::nearest(k) + P::HALF) * P::of(UNIT)
+}
+
+/// Deviates with the signs of words.
+#[inline(always)]
+fn signed<P: Lanes<N>, const N: usize>(z: P, words: P::Words) -> P {
+    P::from_bits(z.to_bits() | (words & P::Words::all(!BELOW_SIGN)))
 }
 
 /// The deviates of words of one stream, in the widest registers that are there.

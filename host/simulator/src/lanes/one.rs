@@ -140,6 +140,10 @@ impl Lanes<1> for One {
         Word(self.0.to_bits())
     }
     #[inline(always)]
+    fn nearest(Word(word): Word) -> Self {
+        Self(word as i64 as f64)
+    }
+    #[inline(always)]
     fn beyond(Word(word): Word, bound: i64) -> bool {
         word as i64 > bound
     }

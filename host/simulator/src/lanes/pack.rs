@@ -24,6 +24,8 @@ pub trait Lanes<const N: usize>: Random + Send + Sealed {
     fn from_bits(bits: Self::Words) -> Self;
     /// The bits of each number.
     fn to_bits(self) -> Self::Words;
+    /// The nearest numbers to words below 2⁶³.
+    fn nearest(words: Self::Words) -> Self;
     /// Which words exceed a bound, all below 2⁶³.
     fn beyond(words: Self::Words, bound: i64) -> Self::Mask;
     /// A bit for each lane, the lowest for the first.
@@ -32,18 +34,6 @@ pub trait Lanes<const N: usize>: Random + Send + Sealed {
     fn compiled<T: Task>(task: T) -> T::Output;
     /// The next deviates of each lane's stream.
     fn fill(generator: &mut Generator<N>, deviates: &mut Deviates);
-
-    /// The nearest numbers to words below 2⁶³.
-    #[inline(always)]
-    fn nearest(words: Self::Words) -> Self {
-        // 2⁸⁴ + 2³²h and 2⁵² + l, with the halves h and l in place of their last digits: exact but for the
-        // last sum.
-        let [high, low] = [0x4530_0000_0000_0000, 0x4330_0000_0000_0000].map(Self::Words::all);
-        let high = Self::from_bits(words.down(32) | high);
-        let low = Self::from_bits((words & Self::Words::all(0xffff_ffff)) | low);
-        const BOTH: f64 = (1u128 << 84) as f64 + (1u64 << 52) as f64;
-        (high - Self::of(BOTH)) + low
-    }
 }
 
 /// What is compiled for the registers of whoever does it.

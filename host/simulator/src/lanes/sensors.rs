@@ -48,8 +48,11 @@ pub fn in_lanes<P: Lanes<N>, const N: usize>(terms: &Terms<One>) -> Terms<P> {
 /// The same sample in every lane.
 #[inline(always)]
 pub fn same<P: Lanes<N>, const N: usize>(sample: &Increment<f64>) -> Increment<P> {
-    let all = |v: Vector<f64>| v.map(P::of);
-    Increment { angle_b: all(sample.angle_b), velocity_b: all(sample.velocity_b) }
+    let Increment { angle_b: a, velocity_b: v } = sample;
+    Increment {
+        angle_b: Vector { x: P::of(a.x), y: P::of(a.y), z: P::of(a.z) },
+        velocity_b: Vector { x: P::of(v.x), y: P::of(v.y), z: P::of(v.z) },
+    }
 }
 
 /// Samples to read.

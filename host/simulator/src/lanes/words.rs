@@ -15,6 +15,12 @@ pub trait Words<const N: usize>:
     /// Moves every bit down by so many places, fewer than 64.
     fn down(self, places: u64) -> Self;
 
+    /// Turns every word up by so many places, from 1 to 63.
+    #[inline(always)]
+    fn turned(self, places: u64) -> Self {
+        self.up(places) | self.down(64 - places)
+    }
+
     /// The same word in each lane.
     #[inline(always)]
     fn all(word: u64) -> Self {

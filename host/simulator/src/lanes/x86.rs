@@ -45,7 +45,7 @@ macro_rules! operators {
 macro_rules! register {
     ($(#[$doc:meta])* $name:ident, $register:ty, $mask:ty, $words:path, $n:literal, $features:literal,
      $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $xor:ident $and:ident $and_not:ident
-     $to_words:ident $from_words:ident) => {
+     $round:ident $to_words:ident $from_words:ident) => {
         $(#[$doc])*
         #[derive(Clone, Copy)]
         pub(super) struct $name($register);
@@ -80,6 +80,10 @@ macro_rules! register {
             #[inline(always)]
             fn to_bits(self) -> $words {
                 $words(call!($to_words(self.0)))
+            }
+            #[inline(always)]
+            fn nearest(words: $words) -> Self {
+                Self(words.nearest())
             }
             #[inline(always)]
             fn beyond(words: $words, bound: i64) -> $mask {
@@ -190,8 +194,11 @@ macro_rules! register {
             fn ln(self) -> Self {
                 logarithm::ln(self)
             }
+            #[inline(always)]
             fn round(self) -> Self {
-                Self::from_lanes(self.lanes().map(Real::round))
+                // To nearest, halves to even, no exception raised.
+                const HOW: i32 = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
+                Self(call!($round::<HOW>(self.0)))
             }
             #[inline(always)]
             fn of(literal: f64) -> Self {
@@ -234,7 +241,8 @@ register! {
     /// Four numbers in an AVX register. Nobody gets one but by `in_registers`, which asks the processor.
     Avx2, __m256d, Mask, words::Avx2, 4, "avx2",
     _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd
-    _mm256_xor_pd _mm256_and_pd _mm256_andnot_pd _mm256_castpd_si256 _mm256_castsi256_pd
+    _mm256_xor_pd _mm256_and_pd _mm256_andnot_pd
+    _mm256_round_pd _mm256_castpd_si256 _mm256_castsi256_pd
 }
 
 /// All bits of a lane, or none.
@@ -271,7 +279,8 @@ register! {
     /// Eight numbers in an AVX-512 register. Nobody gets one but by `in_registers`, which asks the processor.
     Avx512, __m512d, __mmask8, words::Avx512, 8, "avx512f,avx512dq,avx512vl",
     _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd _mm512_sqrt_pd
-    _mm512_xor_pd _mm512_and_pd _mm512_andnot_pd _mm512_castpd_si512 _mm512_castsi512_pd
+    _mm512_xor_pd _mm512_and_pd _mm512_andnot_pd
+    _mm512_roundscale_pd _mm512_castpd_si512 _mm512_castsi512_pd
 }
 
 impl Avx512 {

@@ -59,6 +59,21 @@ register! {
 }
 
 impl Avx2 {
+    /// The nearest numbers to words below 2⁶³.
+    #[inline(always)]
+    pub(super) fn nearest(self) -> __m256d {
+        // 2⁸⁴ + 2³²h and 2⁵² + l, with the halves h and l in place of their last digits: exact but for the
+        // last sum.
+        const HIGH: f64 = (1u128 << 84) as f64;
+        const LOW: f64 = (1u64 << 52) as f64;
+        let high = self.down(32) | Self::all(HIGH.to_bits());
+        let low = (self & Self::all(0xffff_ffff)) | Self::all(LOW.to_bits());
+        let both = Self::all((HIGH + LOW).to_bits());
+        let high = call!(_mm256_castsi256_pd(high.0));
+        let high = call!(_mm256_sub_pd(high, _mm256_castsi256_pd(both.0)));
+        call!(_mm256_add_pd(high, _mm256_castsi256_pd(low.0)))
+    }
+
     /// Which words, all below 2⁶³, exceed a bound.
     #[inline(always)]
     pub(super) fn beyond(self, bound: i64) -> Mask {
@@ -68,6 +83,12 @@ impl Avx2 {
 }
 
 impl Avx512 {
+    /// The nearest numbers to words below 2⁶³.
+    #[inline(always)]
+    pub(super) fn nearest(self) -> __m512d {
+        call!(_mm512_cvtepi64_pd(self.0))
+    }
+
     /// Which words, all below 2⁶³, exceed a bound.
     #[inline(always)]
     pub(super) fn beyond(self, bound: i64) -> __mmask8 {

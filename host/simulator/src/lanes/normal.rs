@@ -13,11 +13,16 @@ use std::marker::PhantomData;
 /// How many deviates are made at once, of all lanes together.
 pub const AT_ONCE: usize = 256;
 
-/// As many words.
-pub type Drawn = [u64; AT_ONCE];
+/// As many things, in whole lines of the cache.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct Lines<T>(pub [T; AT_ONCE]);
 
-/// As many deviates, in the order of the words.
-pub type Deviates = [f64; AT_ONCE];
+/// Words.
+pub type Drawn = Lines<u64>;
+
+/// Deviates, in the order of the words.
+pub type Deviates = Lines<f64>;
 
 /// The states of the generators of all lanes, xoshiro256++.
 pub type Generator<const N: usize> = [[u64; N]; 4];
@@ -45,8 +50,8 @@ pub fn draw<P: Lanes<N>, const N: usize>(generator: &mut Generator<N>) -> Drawn 
     let [a, b, c, d] = *generator;
     let (mut a, mut b) = (P::Words::from_lanes(a), P::Words::from_lanes(b));
     let (mut c, mut d) = (P::Words::from_lanes(c), P::Words::from_lanes(d));
-    let mut drawn = [0; AT_ONCE];
-    for words in drawn.as_chunks_mut().0 {
+    let mut drawn = Lines([0; AT_ONCE]);
+    for words in drawn.0.as_chunks_mut().0 {
         *words = ((a + d).turned(23) + a).lanes();
         let moved = b.up(17);
         c = c ^ a;
@@ -64,10 +69,10 @@ pub fn draw<P: Lanes<N>, const N: usize>(generator: &mut Generator<N>) -> Drawn 
 #[inline(always)]
 pub fn transform<P: Lanes<N>, const N: usize>(drawn: &Drawn, deviates: &mut Deviates) {
     let below_sign = P::Words::all(BELOW_SIGN);
-    let (mut places, mut rare) = ([0u8; AT_ONCE + 4], 0);
-    let outputs = deviates.as_chunks_mut().0;
+    let (mut places, mut rare) = ([0u8; AT_ONCE + 8], 0);
+    let outputs = deviates.0.as_chunks_mut().0;
     let mut first = 0;
-    for (words, output) in drawn.as_chunks().0.iter().zip(outputs) {
+    for (words, output) in drawn.0.as_chunks().0.iter().zip(outputs) {
         let words = P::Words::from_lanes(*words);
         let k = words & below_sign;
         *output = signed::<P, N>(centre(probability(k)), words).lanes();
@@ -82,18 +87,21 @@ pub fn transform<P: Lanes<N>, const N: usize>(drawn: &Drawn, deviates: &mut Devi
         }
         first += N as u32;
     }
-    for places in places[..rare].chunks(N) {
-        // In lanes that are left over, the first word once more.
-        let mut words = [drawn[usize::from(places[0]) % AT_ONCE]; N];
-        for (word, &place) in words.iter_mut().zip(places) {
-            *word = drawn[usize::from(place) % AT_ONCE];
+    // In lanes that are left over, the last one once more.
+    let last = places[rare.saturating_sub(1)];
+    places[rare..rare + N].fill(last);
+    let groups: &[[u8; N]] = places.as_chunks().0;
+    for places in &groups[..rare.div_ceil(N)] {
+        let mut words = [0; N];
+        for lane in 0..N {
+            words[lane] = drawn.0[usize::from(places[lane])];
         }
         let words = P::Words::from_lanes(words);
         // 2⁶³ − 1 − k
         let rest = (words & below_sign) ^ below_sign;
         let tails = signed::<P, N>(tail(probability(rest)), words).lanes();
-        for (&place, tail) in places.iter().zip(tails) {
-            deviates[usize::from(place) % AT_ONCE] = tail;
+        for lane in 0..N {
+            deviates.0[usize::from(places[lane])] = tails[lane];
         }
     }
 }
@@ -117,7 +125,7 @@ pub fn transform_any(drawn: &Drawn, deviates: &mut Deviates) {
             return;
         }
     }
-    for (deviate, &word) in deviates.iter_mut().zip(drawn) {
+    for (deviate, word) in deviates.0.iter_mut().zip(drawn.0) {
         *deviate = f64::normal(word);
     }
 }

@@ -1,6 +1,6 @@
 //! A stream in each lane, ahead of what was drawn: deviates are made many at a time.
 
-use super::normal::{AT_ONCE, Deviates, Generator};
+use super::normal::{AT_ONCE, Deviates, Generator, Lines};
 use super::pack::{LANE, Lanes};
 use schuler::noise::{Stream, Streams};
 use schuler::record::Record;
@@ -11,9 +11,8 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq)]
 pub struct LaneStream<const N: usize>(Box<Ahead<N>>);
 
-/// In whole lines of the cache.
 #[derive(Clone, PartialEq)]
-#[repr(C, align(64))]
+#[repr(C)]
 struct Ahead<const N: usize> {
     deviates: Deviates,
     /// Before and after the words of these deviates.
@@ -59,7 +58,7 @@ impl<const N: usize> LaneStream<N> {
 
     fn from_generator(generator: Generator<N>) -> Self {
         let (before, after) = (generator, generator);
-        Self(Box::new(Ahead { deviates: [0.0; AT_ONCE], before, after, taken: 0, made: 0 }))
+        Self(Box::new(Ahead { deviates: Lines([0.0; AT_ONCE]), before, after, taken: 0, made: 0 }))
     }
 
     /// The next deviate of each lane.
@@ -69,7 +68,7 @@ impl<const N: usize> LaneStream<N> {
         if ahead.taken == ahead.made {
             refill::<P, N>(ahead);
         }
-        let deviates: &[[f64; N]] = ahead.deviates.as_chunks().0;
+        let deviates: &[[f64; N]] = ahead.deviates.0.as_chunks().0;
         let next = deviates[ahead.taken % (AT_ONCE / N)];
         ahead.taken += 1;
         P::from_lanes(next)

@@ -5,7 +5,7 @@
 
 pub mod abreast;
 mod logarithm;
-mod normal;
+pub mod normal;
 pub mod one;
 pub mod pack;
 mod samples;

@@ -27,8 +27,11 @@ cargo build --release --locked --quiet
 builds=$(runner builds)
 while read -r triple board; do
     bins=(--bin selftest --bin budget --bin single --bin single-planned --bin navigator-f32)
-    # The image that `schuler hil` looks for: every mechanization, f64 in software among them.
-    if [ "$board $triple" = "mps2 thumbv7em-none-eabihf" ]; then bins+=(--bin navigator); fi
+    # The image that `schuler hil` looks for: every mechanization, f64 in software among them. And paths
+    # that are compiled on the target, in f64 too.
+    if [ "$board $triple" = "mps2 thumbv7em-none-eabihf" ]; then
+        bins+=(--bin navigator --bin circuit)
+    fi
     status=0
     (cd tests/firmware &&
         build_package "$triple" "$board,semihosting" --no-default-features --quiet "${bins[@]}") ||

@@ -149,7 +149,7 @@ impl<R: Real> Solution<R> {
 }
 
 /// q_nᵉ = q_z(λ) ⊗ q_y(−φ − 90°), from sine and cosine of ½λ and of ½(φ + 90°).
-fn ned_to_earth_fixed<T: Number>((sl, cl): (T, T), (s, c): (T, T)) -> Quaternion<T> {
+pub(crate) fn ned_to_earth_fixed<T: Number>((sl, cl): (T, T), (s, c): (T, T)) -> Quaternion<T> {
     Quaternion::new(c * cl, Vector::new(s * sl, -(s * cl), c * sl))
 }
 

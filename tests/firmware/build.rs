@@ -12,8 +12,9 @@ const MAPS: [(&str, &str); 4] = [
 ];
 
 /// What is done with defmt's table in each image.
-const SCRIPTS: [(&str, &str); 6] = [
+const SCRIPTS: [(&str, &str); 7] = [
     ("selftest", "defmt.x"),
+    ("circuit", "defmt.x"),
     ("budget", "defmt.x"),
     ("navigator", "quiet.x"),
     ("navigator-f32", "quiet.x"),

@@ -40,6 +40,7 @@ use crate::solution::{Euler, Solution};
 
 /// Where a unit sits in its vehicle, with room for `N` harmonics of its vibration.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mount<const N: usize> {
     /// From the reference point of the path to the unit, in the vehicle's axes, m.
     pub lever_arm_b: Vector<f64>,
@@ -58,6 +59,7 @@ impl<const N: usize> Mount<N> {
 
 /// A path with a unit that it carries.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Carried<T, const N: usize> {
     path: T,
     mount: Mount<N>,

@@ -7,22 +7,14 @@ use crate::math::compensated::Pair;
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
-use crate::solution::{Euler, Solution};
+use crate::solution::{Euler, Solution, ned_to_earth_fixed};
 use core::f64::consts::FRAC_PI_2;
 
-/// q_nᵉ* ⊗ q_bᵉ, from sine and cosine of ½λ and of ½(φ + 90°).
-fn from_north<T: crate::math::real::Number>(
-    (sl, cl): (T, T),
-    (s, c): (T, T),
-    body_to_earth: Quaternion<T>,
-) -> Quaternion<T> {
-    // q_nᵉ = q_z(λ) ⊗ q_y(−φ − 90°)
-    let to_earth = Quaternion::new(c * cl, Vector::new(s * sl, -(s * cl), c * sl));
-    to_earth.conjugate() * body_to_earth
-}
+/// ½π to twice the digits.
+const HALF_PI: Pair<f64> = Pair { hi: FRAC_PI_2, lo: 6.123_233_995_736_766e-17 };
 
 /// Latitude and longitude of a normal, to the digits of a double.
-fn angles(normal: Vector<f64>) -> (f64, f64) {
+pub(super) fn angles(normal: Vector<f64>) -> (f64, f64) {
     let across = Real::sqrt(normal.x * normal.x + normal.y * normal.y);
     (Real::atan2(normal.z, across), Real::atan2(normal.y, normal.x))
 }
@@ -76,11 +68,11 @@ pub(super) fn solution(state: &State) -> Solution<f64> {
     let meridian = if across > 0.0 { (m.y / across, m.x / across) } else { (0.0, 1.0) };
     let half = |x: f64| Real::sin_cos(0.5 * x);
     let unit = attitude * (1.0 / Real::sqrt(attitude.dot(attitude)));
-    let attitude = from_north(half(longitude), half(latitude + FRAC_PI_2), unit);
+    let to_earth = ned_to_earth_fixed(half(longitude), half(latitude + FRAC_PI_2));
     Solution {
         position: Geodetic { latitude, longitude, altitude }.map(Pair::new),
         velocity_ned: velocity_ned(ring, meridian, velocity_e, climb).map(Pair::new),
-        attitude: attitude.map(Pair::new),
+        attitude: (to_earth.conjugate() * unit).map(Pair::new),
     }
 }
 
@@ -104,13 +96,13 @@ pub(super) fn initial(state: &State) -> Solution<f64> {
     let square = q.w * q.w + q.v.dot(q.v);
     let unit = q * square.sqrt().reciprocal();
     let half = Pair::new(0.5);
-    let from_south = latitude + Pair::new(FRAC_PI_2) + Pair::new(6.123_233_995_736_766e-17);
-    let attitude = from_north((longitude * half).sin_cos(), (from_south * half).sin_cos(), unit);
+    let from_south = latitude + HALF_PI;
+    let to_earth = ned_to_earth_fixed((longitude * half).sin_cos(), (from_south * half).sin_cos());
     let (ring, meridian) = ((s.hi, c.hi), (sl.hi, cl.hi));
     Solution {
         position: Geodetic { latitude, longitude, altitude: Pair::new(altitude) },
         velocity_ned: velocity_ned(ring, meridian, velocity_e, climb).map(Pair::new),
-        attitude,
+        attitude: to_earth.conjugate() * unit,
     }
 }
 

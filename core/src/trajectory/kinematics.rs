@@ -16,10 +16,11 @@ use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::sample::Rates;
-use crate::solution::Euler;
+use crate::solution::{Euler, ned_to_earth_fixed};
 
 /// A body at one instant, relative to the Earth and in its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Kinematics {
     /// n̂, the ellipsoid's outward normal.
     pub normal_e: Vector<f64>,
@@ -122,19 +123,9 @@ impl From<&Motion<f64>> for Kinematics {
         let east = Vector::new(-sl, cl, 0.0);
         let normal = Vector::new(c * cl, c * sl, s);
         let to_earth = |v: Vector<f64>| north * v.x + east * v.y - normal * v.z;
-        let radii = Radii::at(s, c);
-        let north_radius = radii.meridian + altitude.value;
-        let east_radius = radii.prime_vertical + altitude.value;
         let v = motion.velocity_ned();
-        // v̇ⁿ by the product rule, and r̈ⁿ = v̇ⁿ + ω_enⁿ × vⁿ
-        let north_growth = radii.meridian_slope * latitude.first + altitude.first;
-        let east_growth = radii.prime_vertical_slope * latitude.first + altitude.first;
-        let growth = Vector::new(
-            north_growth * latitude.first + north_radius * latitude.second,
-            (east_growth * c - east_radius * s * latitude.first) * longitude.first
-                + east_radius * c * longitude.second,
-            -altitude.second,
-        );
+        // r̈ⁿ = v̇ⁿ + ω_enⁿ × vⁿ
+        let growth = motion.velocity_change(&Radii::at(s, c), s, c);
         let transport = motion.transport_rate(s, c);
         let euler = Euler { roll: roll.value, pitch: pitch.value, yaw: yaw.value };
         let of = |f: fn(Jet<f64>) -> f64| Vector::new(f(roll), f(pitch), f(yaw));
@@ -152,10 +143,10 @@ impl From<&Motion<f64>> for Kinematics {
         let transport_change_b =
             to_body(body_to_ned, transport_change) - rate_nb.cross(transport_b);
         let half = |x: f64| Real::sin_cos(0.5 * x);
-        let ((sl, cl), (s, c)) =
-            (half(longitude.value), half(latitude.value + core::f64::consts::FRAC_PI_2));
-        // q_nᵉ = q_z(λ) ⊗ q_y(−φ − 90°)
-        let ned_to_earth = Quaternion::new(c * cl, Vector::new(s * sl, -(s * cl), c * sl));
+        let ned_to_earth = ned_to_earth_fixed(
+            half(longitude.value),
+            half(latitude.value + core::f64::consts::FRAC_PI_2),
+        );
         Self {
             normal_e: normal,
             altitude: altitude.value,

@@ -17,7 +17,7 @@
 //! | [`kinematics`] | the same in Earth-fixed axes |
 //! | `geographic` | what a navigator would print of that |
 //! | [`harmonic`] | channels of harmonics, as in the paper |
-//! | [`series`] | truncated power series |
+//! | [`series`], `columns` | truncated power series, and the quaternion of axes in them |
 //! | [`piecewise`] | any path: polynomials of the normal, the height and the attitude |
 //! | [`carried`], `displaced` | a lever arm and vibration on any motion |
 //! | [`hermite`] | the polynomial between two ends |
@@ -27,6 +27,7 @@
 //! | [`waypoints`] | paths by way-points |
 
 pub mod carried;
+mod columns;
 mod displaced;
 mod geographic;
 pub mod harmonic;

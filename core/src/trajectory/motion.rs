@@ -81,6 +81,24 @@ impl<R: Real> Motion<R> {
         )
     }
 
+    /// v̇ⁿ: how fast the components north, east, down of the velocity change, m/s²; from the radii, sine and cosine
+    /// of the latitude.
+    #[inline(always)]
+    pub(super) fn velocity_change(&self, radii: &Radii<R>, sine: R, cosine: R) -> Vector<R> {
+        let Motion { latitude, longitude, altitude, .. } = *self;
+        let north_radius = radii.meridian + altitude.value;
+        let east_radius = radii.prime_vertical + altitude.value;
+        // By the product rule, of v_N = (R_M + h)φ̇,  v_E = (R_N + h)cosφ·λ̇,  v_D = −ḣ
+        let north_growth = radii.meridian_slope * latitude.first + altitude.first;
+        let east_growth = radii.prime_vertical_slope * latitude.first + altitude.first;
+        Vector::new(
+            north_growth * latitude.first + north_radius * latitude.second,
+            (east_growth * cosine - east_radius * sine * latitude.first) * longitude.first
+                + east_radius * cosine * longitude.second,
+            -altitude.second,
+        )
+    }
+
     /// What perfect sensors read: angular rate and specific force in body axes.
     #[inline]
     pub fn rates(&self) -> Rates<R> {
@@ -95,15 +113,7 @@ impl<R: Real> Motion<R> {
             east_radius * c * longitude.first,
             -altitude.first,
         );
-        // v̇ⁿ, by the product rule
-        let north_growth = radii.meridian_slope * latitude.first + altitude.first;
-        let east_growth = radii.prime_vertical_slope * latitude.first + altitude.first;
-        let acceleration = Vector::new(
-            north_growth * latitude.first + north_radius * latitude.second,
-            (east_growth * c - east_radius * s * latitude.first) * longitude.first
-                + east_radius * c * longitude.second,
-            -altitude.second,
-        );
+        let acceleration = self.velocity_change(&radii, s, c);
         let earth_rate = earth::rotation_ned(s, c);
         let transport_rate = self.transport_rate(s, c);
         // fⁿ = v̇ⁿ + (2ω_ieⁿ + ω_enⁿ) × vⁿ − gⁿ

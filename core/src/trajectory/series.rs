@@ -19,6 +19,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// The first `N` Taylor coefficients of a function, in the unit of its value per secondᵏ.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Series<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Default for Series<N> {

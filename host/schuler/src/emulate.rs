@@ -1,6 +1,7 @@
 //! `schuler emulate`: the sensor samples of a scene as a file, with the start and the truth beside it.
 
 use crate::cli::EmulateArgs;
+use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::output::{self, OutputFile, much, say};
 use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow, NavigationWriter};
@@ -24,28 +25,42 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
     }
     let mut truth = args.truth.as_ref().map(NavigationWriter::create).transpose()?;
     announce(args, &scene);
-    let mut write_truth = |sample: u64| match &mut truth {
-        Some(truth) => truth.row(&NavigationRow::new(source.time_s(sample), &source.truth(sample))),
-        None => Ok(()),
+    let mut messages = args.mcap.as_ref().map(McapWriter::create).transpose()?;
+    let mut write_truth = |messages: &mut Option<McapWriter>, sample: u64| {
+        if truth.is_none() && messages.is_none() {
+            return Ok(());
+        }
+        let (time_s, state) = (source.time_s(sample), source.truth(sample));
+        if let Some(messages) = messages {
+            messages.state(Motion::Truth, time_s, &state)?;
+        }
+        truth.as_mut().map_or(Ok(()), |truth| truth.row(&NavigationRow::new(time_s, &state)))
     };
-    write_truth(0)?;
+    write_truth(&mut messages, 0)?;
     let mut written = 0;
     for sample in 1..=scene.samples() {
         let time_s = source.time_s(sample);
         if args.rates {
             if let Some(rates) = stream.advance_rates() {
                 writer.rate(time_s, &rates)?;
+                if let Some(messages) = &mut messages {
+                    messages.rates(time_s, &rates, None)?;
+                }
                 written += 1;
             }
         } else if let Some(increment) = stream.advance() {
             writer.increment(time_s, &increment)?;
+            if let Some(messages) = &mut messages {
+                messages.increment(time_s, 1.0 / scene.rate_hz, &increment)?;
+            }
             written += 1;
         }
-        write_truth(sample)?;
+        write_truth(&mut messages, sample)?;
         progress.reach(sample);
     }
     progress.finish();
     files.extend(truth.map(NavigationWriter::into_file));
+    files.extend(messages.map(McapWriter::into_file).transpose()?);
     let beside = files.iter().map(|file| format!(", {}", file.path().display()));
     let beside: String = beside.collect();
     files.push(writer.into_file());

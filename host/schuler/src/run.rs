@@ -1,19 +1,21 @@
 //! `schuler run`: the main job.
 
 use crate::cli::RunArgs;
+use crate::report::messages::Messages;
 use crate::report::{self, DriftCsv, FlightFiles, drift_csv, rows};
-use schuler_simulator::flight::Flight;
+use schuler_simulator::flight::{Flight, Instant};
 use schuler_simulator::output::{large_table, say};
 use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::navigation::COLUMNS;
 use schuler_simulator::scene::Scene;
 use schuler_simulator::simulate::{FlightError, Simulation};
-use std::path::{Path, PathBuf};
+use schuler_simulator::source::Source;
+use std::path::Path;
 
 /// Flies a scene, prints the drift table and writes the files, as far as the flight goes.
 pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
-    let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
+    let directory = args.folder(&scene);
     let (flight, end) = fly(args, &scene, &directory).inspect_err(|_| {
         if let Some(note) = report::files::of_earlier(&directory) {
             eprintln!("{note}");
@@ -21,7 +23,13 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     })?;
     let neglected = flight.neglected.map(|neglected| neglected.line()).unwrap_or_default();
     let notes = report::planned(&flight) + &neglected;
-    say(&format!("{}{notes}written to {}\n", report::table(&flight), directory.display()))?;
+    let messages = args.mcap.as_deref().map(|file| format!(" and {}", file.display()));
+    let messages = messages.unwrap_or_default();
+    say(&format!(
+        "{}{notes}written to {}{messages}\n",
+        report::table(&flight),
+        directory.display()
+    ))?;
     end
 }
 
@@ -44,9 +52,18 @@ fn fly(
             eprintln!("{much}");
         }
     }
-    let (flight, end) = simulation
-        .fly_as_far(&mut |instant| files.row(instant), &|sample| progress.reach(sample))?;
+    let source = args.mcap.as_ref().map(|_| Source::new(scene, args.force_all)).transpose()?;
+    let mut messages = match (&args.mcap, &source) {
+        (Some(file), Some(source)) => Some(Messages::create(file, source, args.every)?),
+        _ => None,
+    };
+    let mut row = |instant: &Instant| {
+        files.row(instant)?;
+        messages.as_mut().map_or(Ok(()), |messages| messages.row(instant))
+    };
+    let (flight, end) = simulation.fly_as_far(&mut row, &|sample| progress.reach(sample))?;
     progress.finish();
-    files.finish(&flight)?;
+    let messages = messages.map(Messages::into_file).transpose()?;
+    files.finish(&flight, messages.into_iter().collect())?;
     Ok((flight, end))
 }

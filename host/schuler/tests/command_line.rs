@@ -2,7 +2,7 @@
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
-use schuler_host::cli::{Cli, Command, EmulateArgs, Height, Lag, ReplayArgs, RunArgs};
+use schuler_host::cli::{Cli, Command, EmulateArgs, Height, Lag, ReplayArgs, RunArgs, ScenesArgs};
 use schuler_simulator::scene::{Algorithm, Axes, Gap, Precision, Vertical, WindowShape};
 use std::path::Path;
 
@@ -19,7 +19,7 @@ fn run(line: &str) -> RunArgs {
 
 fn replay(line: &str) -> ReplayArgs {
     match parse(line).unwrap_or_else(|e| panic!("{line}: {e}")) {
-        Command::Replay(arguments) => arguments,
+        Command::Replay(arguments) => *arguments,
         other => panic!("{line}: {other:?}"),
     }
 }
@@ -40,7 +40,17 @@ fn definitions_are_consistent_and_help_has_examples() {
         help.starts_with("Flies a strapdown") && help.contains("Examples:\n  schuler "),
         "{help}"
     );
-    for name in ["run", "emulate", "replay", "frontier", "stress", "ensemble", "hil", "scenes"] {
+    for name in [
+        "run",
+        "emulate",
+        "replay",
+        "frontier",
+        "stress",
+        "ensemble",
+        "hil",
+        "scenes",
+        "trajectory",
+    ] {
         let help = command.find_subcommand_mut(name).expect(name).render_help().to_string();
         assert!(help.contains(&format!("\n  schuler {name}")), "{help}");
         let about = [
@@ -50,6 +60,7 @@ fn definitions_are_consistent_and_help_has_examples() {
             "Run the table",
             "Measure run time",
             "List the built-in",
+            "Describe a",
         ];
         assert!(about.iter().any(|about| help.starts_with(about)), "{help}");
     }
@@ -60,7 +71,7 @@ fn running_is_the_default() {
     assert_eq!(run(""), RunArgs::default());
     assert_eq!(run("").scene().expect("built in").name, "paper");
     assert_eq!(run("hard --seed 3"), run("run hard --seed 3"));
-    assert_eq!(parse("scenes").expect("valid"), Command::Scenes);
+    assert_eq!(parse("scenes").expect("valid"), Command::Scenes(ScenesArgs::default()));
 }
 
 #[test]

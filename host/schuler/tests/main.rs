@@ -6,10 +6,13 @@
 //! | `left_behind` | what is left of a run that is stopped or cannot go on |
 //! | `scene` | what scenes may say |
 //! | `recording`, `rest` | what recordings may say, and what contradicts itself |
+//! | `reference` | positions that others measured |
 //! | `audit` | chains, recorded and compared |
 //! | `ensemble` | many runs |
 //! | `frontier` | run time against error |
 //! | `hil` | a target and its twin |
+//! | `mcap` | ROS 2 messages |
+//! | `trajectory` | what a flight is like, its files, and scenes to start from |
 //! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
@@ -21,9 +24,12 @@ mod exit_codes;
 mod frontier;
 mod hil;
 mod left_behind;
+mod mcap;
 mod recording;
+mod reference;
 mod rest;
 mod scene;
 mod stochastic;
 mod stress;
 mod summaries;
+mod trajectory;

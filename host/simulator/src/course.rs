@@ -1,6 +1,5 @@
 //! The motion of a scene: channels of harmonics, or any path in pieces, and the unit that it carries.
 
-use crate::scene::build::HARMONICS;
 use schuler::imu::Quadrature;
 use schuler::math::compensated::Pair;
 use schuler::sample::{Increment, Rates};
@@ -12,6 +11,9 @@ use schuler::trajectory::piecewise::Piecewise;
 use schuler::trajectory::piecewise::piece::Piece;
 use schuler::trajectory::{Bound, Motion, Trajectory};
 use std::sync::Arc;
+
+/// Harmonics that a motion may have, over all channels.
+pub const HARMONICS: usize = 64;
 
 /// A path in pieces of degree 7, of way-points and logs.
 pub type Spline = Piecewise<Vec<Piece<8>>, 8>;

@@ -12,12 +12,15 @@
 //! | [`plan`], [`lively`], [`timing`] | the window for a scene, and what a stage costs |
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
+//! | [`portrait`], [`formats`] | what a motion is like, and its path for other tools |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
+//! | [`mod@reference`] | positions of others: a reference, way-points |
 
 pub mod course;
 pub mod emulator;
 pub mod ensemble;
 pub mod flight;
+pub mod formats;
 pub mod high;
 pub mod input;
 pub mod lanes;
@@ -29,6 +32,7 @@ pub mod plan;
 pub mod portrait;
 pub mod progress;
 pub mod recording;
+pub mod reference;
 pub mod rest;
 pub mod rounding;
 pub mod scene;

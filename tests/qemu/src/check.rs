@@ -4,6 +4,7 @@ use super::budget::{Column, MEASURES, Source, Table, written};
 use super::hil;
 use super::image::{self, Image};
 use super::machine::{MACHINES, Machine};
+use super::paths;
 use super::qemu::{self, Flight};
 use super::twin::TWINS;
 use std::collections::BTreeMap;
@@ -142,6 +143,13 @@ fn examine(
         let every = read("navigator")?;
         faults.extend(panics(&every)?);
         faults.extend(hil::emulated(&every, &places.schuler)?);
+        let circuit = read("circuit")?;
+        // Its reports can panic, as those of the self-test can; nothing else may.
+        let reporting = selftest.symbols()?;
+        let mut own = circuit.symbols()?;
+        own.retain(|symbol| image::can_panic(symbol) && !reporting.contains(symbol));
+        faults.extend(own.iter().map(|symbol| format!("circuit can panic: {symbol}")));
+        faults.extend(paths::fly(machine, &circuit)?);
     }
     let column = column(&[&single, &planned], &measured, &flown)?;
     // The budgets are those of the reference board's target.

@@ -5,5 +5,6 @@ pub mod check;
 pub mod hil;
 pub mod image;
 pub mod machine;
+pub mod paths;
 pub mod qemu;
 pub mod twin;

@@ -6,5 +6,10 @@
 #![forbid(unsafe_code)]
 
 pub mod channel;
+pub mod circuit;
 pub mod paper;
+pub mod segment;
+pub mod stretch;
+pub mod target;
 pub mod units;
+pub mod waypoints;

@@ -205,6 +205,33 @@ fn pieces_lie_on_the_path_between_their_joints_too() {
     }
 }
 
+#[test]
+fn a_way_under_acceleration_is_the_integral_of_its_speed() {
+    // Along the equator, where the arc is a circle's. Speeds, and how long the change takes.
+    for (speed, to, blend_s) in [(0.0, 80.0, 40.0), (80.0, 150.0, 60.0), (100.0, 300.0, 120.0)] {
+        let position = Geodetic { latitude: 0.0, longitude: 0.0, altitude: 0.0 };
+        let from = Start { position, course: std::f64::consts::FRAC_PI_2, speed };
+        let path = path(from, AttitudeRule::Coordinated, &[accelerate(to, blend_s)]);
+        // ∫S: ½ at the end, and S(1 − x) = 1 − S(x).
+        let binomial =
+            |n: u32, k: u32| (0..k).fold(1.0, |b, i| b * f64::from(n - i) / f64::from(i + 1));
+        let term = |j: u32, x: f64| {
+            binomial(6 + j, j) * binomial(13, 6 - j) * (-x).powi(j as i32) / f64::from(8 + j)
+        };
+        let head = |x: f64| x.powi(8) * (0..=6).map(|j| term(j, x)).sum::<f64>();
+        let mut largest = 0.0_f64;
+        for k in 1..=500 {
+            let x = f64::from(k) / 500.0;
+            let integral = if x < 0.5 { head(x) } else { x - 0.5 + head(1.0 - x) };
+            let expected = speed * (blend_s * x) + (to - speed) * blend_s * integral;
+            let normal = path.kinematics_at((blend_s * x).into_pair()).normal_e;
+            let way = SEMI_MAJOR_AXIS * normal.y.atan2(normal.x);
+            largest = largest.max((way - expected).abs());
+        }
+        assert!(largest < 5e-9, "{speed} to {to}: {largest:e}");
+    }
+}
+
 trait IntoPair {
     fn into_pair(self) -> schuler::math::compensated::Pair<f64>;
 }

@@ -31,6 +31,7 @@ impl Noise {
 
 /// The rows of a log.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Log<'a> {
     /// Times, s.
     pub times_s: &'a [f64],

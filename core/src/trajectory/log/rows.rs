@@ -20,7 +20,7 @@ use crate::earth::Geodetic;
 use crate::math::quaternion::Quaternion;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
-use crate::solution::Euler;
+use crate::solution::{Euler, ned_to_earth_fixed};
 use crate::trajectory::spline::place::channels;
 use core::f64::consts::FRAC_PI_2;
 
@@ -60,7 +60,9 @@ pub fn attitudes(
     let mut last = Quaternion::ZERO;
     let rows = places.iter().zip(attitudes).zip(out).enumerate();
     for (index, ((place, attitude), out)) in rows {
-        let q = north_east_down(*place) * attitude.quaternion();
+        let half = |angle: f64| Real::sin_cos(0.5 * angle);
+        let to_earth = ned_to_earth_fixed(half(place.longitude), half(place.latitude + FRAC_PI_2));
+        let q = to_earth * attitude.quaternion();
         let q = if q.dot(last) < 0.0 { q * -1.0 } else { q };
         if !q.dot(q).is_finite() {
             return Err(LogError::NotFinite { index });
@@ -70,11 +72,4 @@ pub fn attitudes(
         last = q;
     }
     Ok(())
-}
-
-/// q_nᵉ = q_z(λ) ⊗ q_y(−φ − 90°).
-fn north_east_down(place: Geodetic<f64>) -> Quaternion<f64> {
-    let (sl, cl) = Real::sin_cos(0.5 * place.longitude);
-    let (s, c) = Real::sin_cos(-0.5 * (place.latitude + FRAC_PI_2));
-    Quaternion::new(cl, Vector::new(0.0, 0.0, sl)) * Quaternion::new(c, Vector::new(0.0, s, 0.0))
 }

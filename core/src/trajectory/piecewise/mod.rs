@@ -101,6 +101,7 @@ impl core::error::Error for PathError {}
 
 /// A path by its pieces, which follow each other: an array, a `heapless::Vec`, a `Vec`, a slice.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Piecewise<P, const TERMS: usize> {
     pieces: P,
     attitude: Attitude,

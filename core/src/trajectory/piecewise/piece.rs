@@ -22,6 +22,7 @@ pub const CHANNELS: usize = 8;
 /// ellipsoid in m, and the quaternion s = w, x, y, z that turns body axes into Earth-fixed ones, of any
 /// length. Coefficient k stands with uᵏ, u = t − middle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Piece<const TERMS: usize> {
     /// Where it begins, s.
     pub start_s: f64,

@@ -21,6 +21,7 @@ use crate::trajectory::series::Series;
 
 /// Normal and position about an instant, in Earth-fixed axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Place<const N: usize> {
     /// h, m.
     pub altitude: Series<N>,

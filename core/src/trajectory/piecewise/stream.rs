@@ -69,6 +69,7 @@ impl<E: core::error::Error> core::error::Error for StreamError<E> {}
 
 /// A path from a source of pieces, with room for `N` of them.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stream<I, const TERMS: usize, const N: usize> {
     source: I,
     known: Piecewise<Vec<Piece<TERMS>, N>, TERMS>,

@@ -11,8 +11,7 @@
 //! ```
 //!
 //! That bank leaves no lateral specific force. All of it is defined at rest.
-//! Source: the coordinated turn, Stevens & Lewis, *Aircraft Control and Simulation*, §3.6; the quaternion of a
-//! matrix, Shepperd, Journal of Guidance and Control 1(3), 1978.
+//! Source: the coordinated turn, Stevens & Lewis, *Aircraft Control and Simulation*, §3.6.
 //!
 //! ```
 //! use schuler::trajectory::segment::attitude::AttitudeRule;
@@ -26,6 +25,7 @@ use super::flow::Flow;
 use crate::earth::ROTATION_RATE;
 use crate::math::quaternion::Quaternion;
 use crate::math::vector::Vector;
+use crate::trajectory::columns::quaternion;
 use crate::trajectory::piecewise::place::Place;
 use crate::trajectory::series::Series;
 
@@ -125,28 +125,4 @@ fn bank<const N: usize, const M: usize>(
     let length = (w * w + lateral * lateral).reciprocal_root();
     let none = Series::ZERO;
     Ok(Quaternion::new(w * length, Vector::new(lateral * length, none, none)))
-}
-
-/// The unit quaternion of a rotation matrix by its columns: the largest component by a root, the others by
-/// quotients with it.
-fn quaternion<const M: usize>(
-    x: Vector<Series<M>>,
-    y: Vector<Series<M>>,
-    z: Vector<Series<M>>,
-) -> Quaternion<Series<M>> {
-    let (a, b, c) = (x.x.value(), y.y.value(), z.z.value());
-    let q = if a + b + c > 0.0 {
-        let w = (x.x + y.y + z.z).plus(1.0);
-        Quaternion::new(w, Vector::new(y.z - z.y, z.x - x.z, x.y - y.x))
-    } else if a > b && a > c {
-        let first = (x.x - y.y - z.z).plus(1.0);
-        Quaternion::new(y.z - z.y, Vector::new(first, x.y + y.x, z.x + x.z))
-    } else if b > c {
-        let second = (y.y - x.x - z.z).plus(1.0);
-        Quaternion::new(z.x - x.z, Vector::new(x.y + y.x, second, y.z + z.y))
-    } else {
-        let third = (z.z - x.x - y.y).plus(1.0);
-        Quaternion::new(x.y - y.x, Vector::new(z.x + x.z, y.z + z.y, third))
-    };
-    q * (q.w * q.w + q.v.dot(q.v)).reciprocal_root()
 }

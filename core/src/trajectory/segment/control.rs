@@ -29,8 +29,14 @@ pub const LEAST_SPAN_S: f64 = 1e-6;
 const LARGEST_TURN: f64 = 0.5;
 /// The largest arc, rad, along which a piece travels over the ellipsoid.
 const LARGEST_ARC: f64 = 0.25;
-/// The least number of pieces in a step.
-const PIECES_PER_STEP: f64 = 6.0;
+/// The least and the largest number of pieces in a step. So many follow a step of 10¹⁵ m.
+const PIECES_PER_STEP: [u32; 2] = [6, 96];
+/// How far a piece may lie from the path between its ends, m: about as far as places round.
+const FIDELITY: f64 = 2e-9;
+/// The largest S⁽¹¹⁾/12! of the smooth step S, that at its ends: of its integral.
+const ONCE: f64 = 12012.0 * 15.0 / (11.0 * 12.0);
+/// The largest S⁽¹⁰⁾/12!: of the integral of its integral.
+const TWICE: f64 = 12012.0 * 20.0 / (10.0 * 11.0 * 12.0);
 
 /// A value that changes by steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -186,12 +192,24 @@ impl Controls {
     /// to its rounding.
     pub(super) fn longest_span_s(&self, inside_s: f64) -> f64 {
         let mut longest = f64::INFINITY;
-        for control in self.each() {
+        let speed = self.speed.largest(inside_s);
+        // Of f, the length of the way: f' = V; f' = V sin g; f'' = Vχ̇. Rotations move nothing.
+        let [roll, pitch, yaw] = self.rotation.each_ref().map(|control| (control, 0.0, 0.0));
+        let controls = [
+            (&self.speed, ONCE, 0.0),
+            (&self.climb, ONCE * speed, 0.0),
+            (&self.course_rate, 0.0, TWICE * speed),
+            roll,
+            pitch,
+            yaw,
+        ];
+        for (control, once, twice) in controls {
             for step in control.steps.iter().filter(|step| step.is_active(inside_s)) {
-                longest = longest.min(step.duration_s / PIECES_PER_STEP);
+                let Step { duration_s, change, .. } = *step;
+                let bend = change.abs() * duration_s * (once + twice * duration_s);
+                longest = longest.min(duration_s / pieces_per_step(bend));
             }
         }
-        let speed = self.speed.largest(inside_s);
         let course_rate = self.course_rate.largest(inside_s);
         // The bank is atan(V χ̇/γ), whose series ends at ±i: the steeper the turn, the sooner.
         let bank = speed * course_rate / EQUATORIAL_GRAVITY;
@@ -219,6 +237,20 @@ impl Controls {
             line: self.line,
         }
     }
+}
+
+/// Into how many pieces a step of length T goes over which the twelfth derivative is at most `bend` 12!/T¹², m.
+///
+/// The polynomial with the derivatives 0 to 5 of both ends of a piece h is at most |f⁽¹²⁾|(h/2)¹²/12! off.
+/// Source: the remainder of Hermite's interpolation (Stoer and Bulirsch, *Introduction to Numerical Analysis*, §2.1.5).
+fn pieces_per_step(bend: f64) -> f64 {
+    let [least, most] = PIECES_PER_STEP;
+    let is_near = |count: &u32| {
+        let halves = 2.0 * f64::from(*count);
+        let cube = halves * halves * halves;
+        bend <= FIDELITY * (cube * cube) * (cube * cube)
+    };
+    f64::from((least..most).find(is_near).unwrap_or(most))
 }
 
 /// What drives a path, about an instant.

@@ -33,7 +33,9 @@ use crate::earth::{ECCENTRICITY_SQUARED, Geodetic, SEMI_MAJOR_AXIS};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
+use crate::trajectory::geographic::angles;
 use crate::trajectory::series::Series;
+use crate::trajectory::wrap;
 
 /// Number of coefficients with which a path is followed: order 16.
 pub const FLOW_TERMS: usize = 17;
@@ -54,8 +56,8 @@ impl Track {
     /// At a place, with a course from north to east in rad. At a pole the longitude tells which way is north.
     pub fn new(at: Geodetic<f64>, course: f64) -> Self {
         let (s, c) = Pair::new(at.latitude).sin_cos();
-        let (sl, cl) = Pair::new(wrapped(at.longitude)).sin_cos();
-        let (sine, cosine) = Pair::new(wrapped(course)).sin_cos();
+        let (sl, cl) = Pair::new(wrap(at.longitude)).sin_cos();
+        let (sine, cosine) = Pair::new(wrap(course)).sin_cos();
         let north = Vector::new(-(s * cl), -(s * sl), c);
         let east = Vector::new(-sl, cl, Pair::default());
         let along = north * cosine + east * sine;
@@ -68,13 +70,8 @@ impl Track {
 
     /// The place, angles in rad; any longitude at a pole.
     pub fn position(&self) -> Geodetic<f64> {
-        let Vector { x, y, z } = self.normal_e.map(|n| n.hi);
-        let level = Real::sqrt(x * x + y * y);
-        Geodetic {
-            latitude: Real::atan2(z, level),
-            longitude: Real::atan2(y, x),
-            altitude: self.altitude.hi,
-        }
+        let (latitude, longitude) = angles(self.normal_e.map(|n| n.hi));
+        Geodetic { latitude, longitude, altitude: self.altitude.hi }
     }
 
     /// The course, from north to east, in (−π, π] rad.
@@ -144,11 +141,6 @@ impl Track {
         let n = self.normal_e.map(|n| n.hi);
         Real::sqrt(n.x * n.x + n.y * n.y)
     }
-}
-
-/// An angle less whole turns, as sine and cosine in pairs take it.
-fn wrapped(angle: f64) -> f64 {
-    crate::trajectory::wrap(angle)
 }
 
 /// A path about an instant.

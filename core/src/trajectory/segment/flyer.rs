@@ -46,6 +46,7 @@ struct Part {
 
 /// A path in flight.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flyer {
     rule: AttitudeRule,
     state: State,

@@ -23,7 +23,7 @@
 //!     pieces += 1;
 //!     altitude = piece.channel(3, piece.end_s);
 //! }
-//! assert_eq!(pieces, 1 + 6 + 6 + 1 + 6);
+//! assert_eq!(pieces, 26);
 //! assert!((altitude - 600.0_f64).abs() < 1e-9);
 //! # Ok::<(), schuler::trajectory::segment::compile::SegmentError>(())
 //! ```

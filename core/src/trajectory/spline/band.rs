@@ -67,6 +67,15 @@ fn split(row: &[f64; BAND]) -> (f64, &[f64]) {
     row.split_first().map_or((0.0, &[]), |(first, rest)| (*first, rest))
 }
 
+/// Exchanges the first row for another.
+fn exchange<T>(rows: &mut [T], index: usize) {
+    if let Some((first, rest)) = rows.split_first_mut()
+        && let Some(other) = index.checked_sub(1).and_then(|index| rest.get_mut(index))
+    {
+        core::mem::swap(first, other);
+    }
+}
+
 /// Makes one of the active rows the pivot and the first, and takes it from the others, which then begin one
 /// column later.
 fn eliminate<const C: usize>(
@@ -84,8 +93,8 @@ fn eliminate<const C: usize>(
     if !(best.1 > 0.0 && best.1.is_finite()) {
         return Err(SplineError::Undetermined);
     }
-    rows.swap(0, best.0);
-    right.swap(0, best.0);
+    exchange(rows, best.0);
+    exchange(right, best.0);
     let (Some((pivot, rows)), Some((source, right))) =
         (rows.split_first_mut(), right.split_first_mut())
     else {

@@ -22,6 +22,7 @@ pub const KNOTS: usize = 2 * DEGREE;
 ///
 /// Either way the splines are the same functions; only their control points differ.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Knots<'a> {
     sites: &'a [f64],
     continued: bool,

@@ -25,6 +25,7 @@ use crate::trajectory::piecewise::piece::Piece;
 
 /// A spline of four channels.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Spline<'a> {
     /// Its knots.
     pub knots: Knots<'a>,
@@ -42,6 +43,7 @@ impl Spline<'_> {
 
 /// A path by splines. Each piece is made when asked for, so that a microcontroller needs no room for all of them.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Path<'a> {
     level: Spline<'a>,
     height: Spline<'a>,

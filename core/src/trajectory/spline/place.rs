@@ -12,10 +12,12 @@
 //! ```
 
 use super::TERMS;
-use crate::earth::{Geodetic, SEMI_MAJOR_AXIS};
+use crate::earth::Geodetic;
+use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
-use crate::trajectory::piecewise::piece::Piece;
+use crate::trajectory::piecewise::piece::{Half, Piece};
+use crate::trajectory::piecewise::place::Place;
 
 /// The largest speed, m/s, that a path may have or imply.
 pub const LARGEST_SPEED: f64 = 1e5;
@@ -34,7 +36,7 @@ pub fn distance(from: Geodetic<f64>, to: Geodetic<f64>) -> f64 {
     (to.to_earth_fixed() - from.to_earth_fixed()).norm()
 }
 
-/// What a piece reaches: for a check, on a sphere.
+/// What a piece reaches.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pace {
@@ -68,33 +70,11 @@ impl Pace {
 
     /// Of a piece at a time, s.
     pub fn at(piece: &Piece<TERMS>, time_s: f64) -> Self {
-        let u = time_s - piece.middle_s;
-        // Value and two derivatives by Horner's rule.
-        let mut jets = [[0.0; 3]; 4];
-        for row in piece.coefficients.iter().rev() {
-            for (jet, c) in jets.iter_mut().zip(row) {
-                let [value, first, second] = *jet;
-                *jet = [value * u + c, first * u + value, second * u + 2.0 * first];
-            }
+        let [x, y, z, h] = piece.series::<3>(Half::Position, Pair::new(time_s));
+        let position = Place::new(Vector::new(x, y, z), h).position;
+        Self {
+            speed_m_s: position.map(|r| r.coefficient(1)).norm(),
+            acceleration_m_s2: 2.0 * position.map(|r| r.coefficient(2)).norm(),
         }
-        let [x, y, z, [h, climb, lift]] = jets;
-        let part = |k: usize| {
-            let of = |jet: [f64; 3]| jet.get(k).copied().unwrap_or(0.0);
-            Vector::new(of(x), of(y), of(z))
-        };
-        let (m, first, second) = (part(0), part(1), part(2));
-        // n̂ = m/|m|;  n̂' = (m' − n̂(n̂·m'))/|m|, and the same share of m″, less 2(n̂·m')n̂'/|m|
-        let scale = 1.0 / m.norm();
-        let normal = m * scale;
-        let across = |v: Vector<f64>| (v - normal * normal.dot(v)) * scale;
-        let turn = across(first);
-        let bend = across(second) - turn * (2.0 * scale * normal.dot(first));
-        let radius = SEMI_MAJOR_AXIS + h;
-        let level = turn * radius;
-        let speed = Real::sqrt(level.dot(level) + climb * climb);
-        let along = bend * radius + turn * (2.0 * climb);
-        let up = lift - radius * turn.dot(turn);
-        let acceleration = Real::sqrt(along.dot(along) + up * up);
-        Self { speed_m_s: speed, acceleration_m_s2: acceleration }
     }
 }

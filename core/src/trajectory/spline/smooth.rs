@@ -49,6 +49,7 @@ const PASSES: [usize; 2] = [2, 3];
 
 /// What is to be smoothed.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fit<'a, const C: usize> {
     /// Times of the joints, s.
     pub sites: &'a [f64],
@@ -62,6 +63,7 @@ pub struct Fit<'a, const C: usize> {
 
 /// Room for the equations, each with [`EXTRA`] more entries than there are sites.
 #[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Workspace<'a, const C: usize> {
     /// BᵀB.
     pub gram: &'a mut [[f64; BAND]],

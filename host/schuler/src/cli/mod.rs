@@ -2,21 +2,23 @@
 
 mod apart;
 mod audit;
-mod every;
+mod emulate;
 mod hil;
 mod options;
 mod replay;
 mod scenes;
 mod start;
 
+pub use crate::report::every::Every;
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
-pub use every::{Every, Sieve};
+pub use emulate::EmulateArgs;
 pub use hil::HilArgs;
 pub use options::{FlightOptions, Handling, NavigatorOptions, Window};
 pub use replay::{Height, Lag, ReplayArgs};
 pub use scenes::{ScenesArgs, TrajectoryArgs};
 
 use crate::report::Wanted;
+use crate::report::files::NAMES as FLIGHT_FILES;
 use apart::Written;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use schuler_simulator::input::InputError;
@@ -53,7 +55,7 @@ pub enum Command {
     /// Write the sensors' stream of a scene
     Emulate(EmulateArgs),
     /// Navigate a recorded stream
-    Replay(ReplayArgs),
+    Replay(Box<ReplayArgs>),
     /// Describe a scene's flight, and write its path for other tools
     Trajectory(TrajectoryArgs),
     /// Measure run time against error
@@ -103,6 +105,9 @@ pub struct RunArgs {
     /// Write nav.csv and truth.csv, too: the computed and the true motion, row by row
     #[arg(long)]
     pub rows: bool,
+    /// Write ROS 2 messages, too: /imu, /truth and /computed (Imu, NavSatFix, PoseStamped)
+    #[arg(long, value_name = "FILE")]
+    pub mcap: Option<PathBuf>,
     /// Rows of drift.csv (and of --rows) to write: every N-th sample, or one each S seconds, as in 10s [default: all]
     #[arg(long, value_name = "N|S", allow_negative_numbers = true, value_parser = Every::parse)]
     pub every: Option<Every>,
@@ -120,62 +125,29 @@ impl RunArgs {
         let program = <Cli as CommandFactory>::command();
         let commands: Vec<_> = program.get_subcommands().map(clap::Command::get_name).collect();
         let name = self.scene.as_deref();
-        load_beside(name, &commands, &self.flight, &self.navigator, &self.handling)
-    }
-}
-
-/// Options of `emulate`.
-#[derive(Args, Clone, Debug, PartialEq)]
-#[command(after_help = "Examples:\n  schuler emulate hard --out imu.csv --perfect\n  \
-    schuler emulate paper --out imu.csv --truth truth.csv")]
-pub struct EmulateArgs {
-    /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
-    pub scene: Option<String>,
-    /// The file to write; the state that navigation starts from goes to initial.toml beside it
-    #[arg(long, value_name = "FILE")]
-    pub out: PathBuf,
-    /// Write the true motion, too: the columns of nav.csv, the start and a row per sample
-    #[arg(long, value_name = "FILE")]
-    pub truth: Option<PathBuf>,
-    /// Without the scene's sensor errors
-    #[arg(long)]
-    pub perfect: bool,
-    /// Instantaneous rates instead of increments
-    #[arg(long)]
-    pub rates: bool,
-    /// What replaces the scene's own values.
-    #[command(flatten)]
-    pub flight: FlightOptions,
-}
-
-impl EmulateArgs {
-    /// The scene, with every option applied.
-    pub fn scene(&self) -> Result<Scene, InputError> {
-        let name = self.scene.as_deref().unwrap_or(builtin::DEFAULT);
-        let mut scene = scene::load(name)?;
-        self.flight.apply(&mut scene)?;
-        self.check(name)?;
-        if self.perfect {
-            scene.gyro = Default::default();
-            scene.accelerometer = Default::default();
-        }
+        let scene = load_beside(name, &commands, &self.flight, &self.navigator, &self.handling)?;
+        self.check(&scene)?;
         Ok(scene)
     }
 
-    /// Where the start goes: beside the stream, unless that is a pipe or a device.
-    pub fn initial(&self) -> Option<PathBuf> {
-        let is_file = !self.out.exists() || self.out.is_file();
-        is_file.then(|| self.out.with_file_name("initial.toml"))
+    /// The folder of the files.
+    pub fn folder(&self, scene: &Scene) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name))
     }
 
-    /// No file is written over the scene, nor over another.
-    fn check(&self, scene: &str) -> Result<(), InputError> {
-        let mut written = vec![Written::named("--out", &self.out)];
-        written.extend(self.truth.as_deref().map(|truth| Written::named("--truth", truth)));
-        let what = "initial.toml beside it";
-        written.extend(self.initial().map(|path| Written { option: "--out", what, path }));
-        let is_file = builtin::scene(scene).is_none();
-        let read = is_file.then_some(("the scene is read from", Path::new(scene)));
+    /// No messages are written over the scene, nor over another file of the run.
+    fn check(&self, scene: &Scene) -> Result<(), InputError> {
+        let Some(mcap) = &self.mcap else { return Ok(()) };
+        let folder = self.folder(scene);
+        let names = FLIGHT_FILES.map(|name| Written {
+            option: "--out",
+            what: name,
+            path: folder.join(name),
+        });
+        let written: Vec<_> = names.into_iter().chain([Written::named("--mcap", mcap)]).collect();
+        let name = self.scene.as_deref().unwrap_or(builtin::DEFAULT);
+        let is_file = builtin::scene(name).is_none();
+        let read = is_file.then_some(("the scene is read from", Path::new(name)));
         apart::check(&written, read.as_slice())
     }
 }

@@ -5,10 +5,12 @@ use super::{Every, Handling, NavigatorOptions, options};
 use crate::replay::places::Places;
 use clap::Args;
 use schuler_simulator::input::{Complaint, InputError, Range};
+use schuler_simulator::recording::foreign::{Columns, Given};
+use schuler_simulator::recording::mounting::Mounting;
 use schuler_simulator::recording::navigation::RANGES;
 use schuler_simulator::rest::units::Units;
 use schuler_simulator::scene::Vertical;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Options of `replay`.
 #[derive(Args, Clone, Debug, PartialEq)]
@@ -16,22 +18,39 @@ use std::path::PathBuf;
     schuler replay --imu imu.csv --initial initial.toml --out nav.csv\n  \
     schuler replay --imu imu.csv --initial initial.toml --reference truth.csv --out out/again/\n  \
     schuler replay --imu car.imu --start 540 --align 120 --until 960 --out nav.csv\n  \
-    schuler replay --imu phone.csv --units g,deg/s --initial here.toml --align 20 --heading 40 --out nav.csv")]
+    schuler replay --imu phone.csv --units g,deg/s --initial here.toml --align 20 --heading 40 --out nav.csv\n  \
+    schuler replay --imu log.csv --map map.toml --initial rtk.pos --align 20 --heading 40 --out nav.csv\n  \
+    schuler replay --imu log.csv --columns 7,4,5,6,1,2,3 --units g,deg/s,ms --axes forward-left-up \
+    --initial rtk.pos --align 20 --heading 40 --out nav.csv")]
 pub struct ReplayArgs {
-    /// The stream: an imu.csv of increments or rates, or a PSINS .imu
+    /// The stream: an imu.csv, a PSINS .imu, a log of another known format, or any other by --map or --columns
     #[arg(long, value_name = "FILE")]
     pub imu: PathBuf,
-    /// The state to start from, a TOML file with the columns of nav.csv as keys; a PSINS .imu brings its own
+    /// What the stream's columns hold: a TOML file, or the name of a known format
+    #[arg(long, value_name = "FILE|NAME", conflicts_with = "columns")]
+    pub map: Option<String>,
+    /// Columns of time, gyros x, y, z and accelerometers x, y, z: names of the header or numbers from 1
+    #[arg(long, value_name = "T,X,Y,Z,X,Y,Z", value_parser = Columns::parse)]
+    pub columns: Option<Columns>,
+    /// Where x, y and z of the unit point, as in forward-left-up
+    #[arg(long, value_name = "AXES", value_parser = Mounting::parse)]
+    pub axes: Option<Mounting>,
+    /// The state to start from: a TOML file with the columns of nav.csv as keys, or with --align a .pos, NMEA, GPX
+    /// or KML file of positions; a PSINS .imu brings its own
     #[arg(long, value_name = "FILE")]
     pub initial: Option<PathBuf>,
     /// The file to write, or a folder for nav.csv: one that is there, or a name that ends with a slash
     #[arg(long, value_name = "FILE|DIR")]
     pub out: PathBuf,
-    /// What the motion really was: a CSV file with the columns of nav.csv, or its time and position alone.
+    /// What the motion really was: a CSV file with the columns of nav.csv, or its time and position alone; or an
+    /// RTKLIB .pos, NMEA, GPX or KML file with times and heights.
     /// The drift from it is printed; summary.json, drift.csv, drift.png and report.html go to the folder of
     /// --out, or to NAME-report beside the file NAME.csv
     #[arg(long, value_name = "FILE")]
     pub reference: Option<PathBuf>,
+    /// Write ROS 2 messages, too: the rows of nav.csv as /computed (NavSatFix, PoseStamped)
+    #[arg(long, value_name = "FILE")]
+    pub mcap: Option<PathBuf>,
     /// How late the reference's stamps are, seconds, or auto: the lag that fits best. That is printed in any case
     #[arg(long, value_name = "S", requires = "reference", default_value = "0", allow_negative_numbers = true, value_parser = Lag::parse)]
     pub lag: Lag,
@@ -44,8 +63,8 @@ pub struct ReplayArgs {
     /// The heading to start from with --align, degrees from north to the east: gyros then need not find it
     #[arg(long, value_name = "DEG", requires = "align", allow_negative_numbers = true, value_parser = options::heading_deg)]
     pub heading: Option<f64>,
-    /// What the stream's numbers are in where that is not m/s² and rad/s (increments: m/s and rad): words
-    /// with commas between, as in g,deg/s; `increments` or `rates` overrules the header
+    /// What the stream's numbers are in where that is not m/s², rad/s and s (increments: m/s and rad): words
+    /// with commas between, as in g,deg/s,ms; `increments` or `rates` overrules the header
     #[arg(long, value_name = "WORDS", value_parser = Units::parse)]
     pub units: Option<Units>,
     /// End at this time of the recording
@@ -70,6 +89,17 @@ pub struct ReplayArgs {
 }
 
 impl ReplayArgs {
+    /// What is said of the stream.
+    pub fn given(&self) -> Given {
+        Given {
+            map: self.map.clone(),
+            columns: self.columns.clone(),
+            units: self.units.unwrap_or_default(),
+            axes: self.axes,
+            rate_hz: self.rate,
+        }
+    }
+
     /// What no option alone can get wrong: nothing is written over a file that is read, and no vertical is
     /// both free and held.
     pub fn check(&self) -> Result<(), InputError> {
@@ -79,6 +109,8 @@ impl ReplayArgs {
             return Err(InputError::option("--height", complaint));
         }
         let mut read = vec![("--imu reads", self.imu.as_path())];
+        let map = self.map.as_deref().map(Path::new);
+        read.extend(map.map(|map| ("--map reads", map)));
         read.extend(self.initial.as_deref().map(|initial| ("--initial reads", initial)));
         read.extend(self.reference.as_deref().map(|reference| ("--reference reads", reference)));
         if let Some(Height::File(file)) = &self.height {
@@ -86,6 +118,7 @@ impl ReplayArgs {
         }
         let places = Places::new(&self.out, self.reference.is_some());
         let mut written = vec![Written::named("--out", &places.nav)];
+        written.extend(self.mcap.as_deref().map(|mcap| Written::named("--mcap", mcap)));
         for (what, path) in places.report_files() {
             written.push(Written { option: "--out", what, path });
         }

@@ -23,7 +23,13 @@ pub(super) fn check(scene: &Scene, name: &str, frame: Option<Axes>) -> Result<()
             Unavailable::Start(StartError::Pole) if frame.is_some() => {
                 InputError::option("--frame", complaint)
             }
-            _ => scene::blame(name, unavailable.key(), complaint),
+            _ => {
+                let key = match (&unavailable, &scene.trajectory.route) {
+                    (Unavailable::Start(_), Some(route)) => route.from.key(),
+                    _ => unavailable.key(),
+                };
+                scene::blame(name, key, complaint)
+            }
         }
     })
 }

@@ -1,7 +1,7 @@
 //! `ensemble.json`: an ensemble in numbers, for programs.
 
 use super::statistics::Verdict;
-use crate::report::head::Head;
+use crate::report::head::{Head, Navigated};
 use crate::report::summary;
 use schuler_simulator::scene::{Scene, WindowShape};
 use serde::Serialize;
@@ -21,12 +21,8 @@ struct Summary<'a> {
     duration_s: f64,
     rate_hz: f64,
     seed: u64,
-    precision: &'static str,
-    frame: &'static str,
-    algorithm: &'static str,
-    #[serde(with = "schuler_simulator::scene::window")]
-    window: Option<WindowShape>,
-    vertical: &'static str,
+    #[serde(flatten)]
+    navigated: Navigated,
     saturated: u64,
     tests: Tests,
 }
@@ -69,11 +65,7 @@ pub fn json(outcome: &Outcome, files: &[&str]) -> String {
         duration_s: scene.duration_s,
         rate_hz: scene.rate_hz,
         seed: scene.seed,
-        precision: scene.navigator.precision.name(),
-        frame: scene.navigator.frame.name(),
-        algorithm: scene.navigator.algorithm.name(),
-        window: Some(window),
-        vertical: scene.navigator.vertical.name(),
+        navigated: Navigated::new(&scene.navigator, Some(window)),
         saturated,
         tests: Tests { done: verdict.tests, failed: verdict.failed, left_out },
     })

@@ -106,7 +106,7 @@ fn fly_to_files(
     match flown {
         Ok((flight, end)) => {
             let flight = Flight { link: Some(link), ..flight };
-            files.finish(&flight)?;
+            files.finish(&flight, Vec::new())?;
             Ok((flight, end))
         }
         Err(error) => {

@@ -60,7 +60,7 @@ impl ReportFiles {
     }
 }
 
-/// Puts `nav.csv` and a report in their places.
-pub fn place(nav: OutputFile, report: Vec<OutputFile>) -> Result<(), InputError> {
-    output::place([nav].into_iter().chain(report).collect(), &[])
+/// Puts `nav.csv`, the messages and a report in their places.
+pub fn place(nav: Vec<OutputFile>, report: Vec<OutputFile>) -> Result<(), InputError> {
+    output::place(nav.into_iter().chain(report).collect(), &[])
 }

@@ -42,8 +42,8 @@ pub struct Flight {
     pub samples: u64,
     /// Digest of every state.
     pub digest: u64,
-    /// `nav.csv`, not in its place yet.
-    pub nav: OutputFile,
+    /// `nav.csv` and the messages, not in their places yet.
+    pub nav: Vec<OutputFile>,
     /// Every row, where they are to be compared.
     pub track: Option<Track>,
 }
@@ -194,7 +194,8 @@ impl<'a> Flying<'a> {
             eprintln!("{warning}");
         }
         let even = matches!(survey.clock, Clock::Even { .. });
-        let rows = Rows::new(nav, args.every, start, args.reference.is_some())?;
+        let mcap = args.mcap.as_deref();
+        let rows = Rows::new(nav, mcap, args.every, start, args.reference.is_some())?;
         let held = heights.as_ref().map(Held::new);
         Ok(Self { recording, even, navigator, rows, held, samples: 0, opening })
     }

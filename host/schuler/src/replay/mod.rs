@@ -4,6 +4,7 @@ mod comparison;
 mod files;
 mod fly;
 mod held;
+mod initial;
 mod page;
 pub mod places;
 mod report;
@@ -38,27 +39,21 @@ use summary::About;
 /// are, where there is a reference to compare them with.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
-    let recording =
-        Recording::open_in(&args.imu.display().to_string(), args.units.unwrap_or_default())?;
+    let recording = Recording::open_as(&args.imu.display().to_string(), &args.given())?;
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     args.handling.apply(&mut options);
     options.vertical = args.vertical();
-    let reference =
-        args.reference.as_ref().map(|file| Reference::read(&file.display().to_string()));
+    let reference = args
+        .reference
+        .as_ref()
+        .map(|file| Reference::open(&file.display().to_string(), recording.scale));
     let reference = reference.transpose()?;
-    let given = args.initial.as_ref().map(|file| NavigationRow::read(&file.display().to_string()));
-    let initial = given.transpose()?.or(recording.initial).ok_or_else(|| {
-        let complaint = Complaint::new(
-            "is missing, and the recording brings no initial state",
-            "a TOML file with the columns of nav.csv as keys",
-        );
-        InputError::option("--initial", complaint)
-    })?;
+    let (initial, args) = &initial::initial(args, &recording)?;
 
-    let measured = spans::about(args, &initial);
+    let measured = spans::about(args, initial);
     let survey = Survey::of(&recording, args.rate.map(|rate_hz| 1.0 / rate_hz), measured)?;
-    let spans = spans::Spans::new(args, &survey, &initial)?;
+    let spans = spans::Spans::new(args, &survey, initial)?;
     let end_s = spans.until_s.min(survey.end_s);
     if let Some(reference) = &reference {
         comparison::check(reference, spans.navigate_s, end_s)?;
@@ -73,13 +68,13 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
         let motion = survey.motion_said();
         say(&format!("window {history},{block},{lookahead} {how}: {motion}\n"))?;
     }
-    let heights = heights(args, &options, &initial, [spans.navigate_s, end_s])?;
+    let heights = heights(args, &options, initial, [spans.navigate_s, end_s])?;
     let places = Places::new(&args.out, reference.is_some());
     let has =
         reference.as_ref().map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
     let mut files = has.map(|has| ReportFiles::create(&places, has)).transpose()?.flatten();
     let orders = Orders { args, options, shape, heights, nav: &places.nav };
-    let mut flight = fly::fly(&recording, &survey, &spans, &initial, &orders)?;
+    let mut flight = fly::fly(&recording, &survey, &spans, initial, &orders)?;
     let mut text = report::text(&flight, &spans, args.align.is_some());
     let mut filled = Vec::new();
     if let (Some(reference), Some(track)) = (&reference, flight.track.take()) {
@@ -94,8 +89,10 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     }
     files::place(flight.nav, filled)?;
     let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
+    let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
     let nav = places.nav.display();
-    say(&format!("{text}written to {nav}{}\n", report.unwrap_or_default()))?;
+    let [report, messages] = [report, messages].map(Option::unwrap_or_default);
+    say(&format!("{text}written to {nav}{messages}{report}\n"))?;
     Ok(())
 }
 

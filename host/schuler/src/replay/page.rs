@@ -5,7 +5,7 @@ use super::fly::Flight;
 use super::summary::About;
 use super::table;
 use crate::report::table::{rows_of, unit_note};
-use crate::report::{figures, norm, plot};
+use crate::report::{figures, head, norm, plot};
 use schuler_report::axis::printed;
 use schuler_report::page::{self, panel};
 use schuler_report::svg::escape;
@@ -129,16 +129,7 @@ fn provenance(flight: &Flight, comparison: &Comparison, about: &About) -> String
         row("samples", flight.samples.to_string()),
         row("missing, bridged", format!("{} in {} gaps", bridged.samples, bridged.gaps)),
         row("digest of every state", format!("{:016x}", flight.digest)),
-        row(
-            "versions",
-            format!(
-                "schuler {}, libm {}, {} {}",
-                env!("CARGO_PKG_VERSION"),
-                env!("SCHULER_LIBM_VERSION"),
-                std::env::consts::ARCH,
-                std::env::consts::OS
-            ),
-        ),
+        row("versions", head::versions()),
     ];
     format!("<h2>Origin</h2>\n{}", panel(&[], &rows))
 }

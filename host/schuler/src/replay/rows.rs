@@ -1,7 +1,8 @@
 //! The rows of `nav.csv` on their way to the file.
 
-use crate::cli::{Every, Sieve};
+use crate::report::every::{Every, Sieve};
 use schuler::solution::Solution;
+use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::high::Highest;
 use schuler_simulator::input::InputError;
 use schuler_simulator::output::OutputFile;
@@ -13,6 +14,7 @@ use std::path::Path;
 /// A row's time is its sample's own; the last row is always kept.
 pub struct Rows {
     writer: NavigationWriter,
+    messages: Option<McapWriter>,
     sieve: Sieve,
     /// Of the rows that are still to come: their stamps and their ends by the recording's clock, s.
     times_s: VecDeque<[f64; 2]>,
@@ -30,6 +32,7 @@ impl Rows {
     /// Of a flight that starts at a time and in a state.
     pub fn new(
         out: &Path,
+        mcap: Option<&Path>,
         every: Option<Every>,
         start: (f64, Solution<f64>),
         is_compared: bool,
@@ -40,6 +43,7 @@ impl Rows {
         }
         Ok(Self {
             writer: NavigationWriter::create(out)?,
+            messages: mcap.map(McapWriter::create).transpose()?,
             sieve: Sieve::new(every, start.0),
             times_s: VecDeque::new(),
             track,
@@ -72,7 +76,10 @@ impl Rows {
     fn write(&mut self) {
         if self.written.is_ok() {
             let (time_s, row) = &self.last;
-            self.written = self.writer.row(&NavigationRow::new(*time_s, row));
+            self.written = self.writer.row(&NavigationRow::new(*time_s, row)).and_then(|()| {
+                let messages = self.messages.as_mut();
+                messages.map_or(Ok(()), |file| file.state(Motion::Computed, *time_s, row))
+            });
         }
     }
 
@@ -81,12 +88,14 @@ impl Rows {
         std::mem::replace(&mut self.written, Ok(()))
     }
 
-    /// The file, whole, but not in its place yet, and every row that is to be compared.
-    pub fn finish(mut self) -> Result<(OutputFile, Option<Track>), InputError> {
+    /// The files, whole, but not in their places yet, and every row that is to be compared.
+    pub fn finish(mut self) -> Result<(Vec<OutputFile>, Option<Track>), InputError> {
         if !self.last_is_written {
             self.write();
         }
         self.written?;
-        Ok((self.writer.into_file(), self.track))
+        let mut files = vec![self.writer.into_file()];
+        files.extend(self.messages.map(McapWriter::into_file).transpose()?);
+        Ok((files, self.track))
     }
 }

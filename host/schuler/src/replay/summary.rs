@@ -3,7 +3,7 @@
 use super::comparison::Comparison;
 use super::fly::{Bridged, Flight};
 use super::spans::Spans;
-use crate::report::head::Head;
+use crate::report::head::{Head, Navigated};
 use crate::report::summary::Components;
 use schuler_simulator::high::Neglected;
 use schuler_simulator::scene::{Algorithm, Navigator, WindowShape};
@@ -21,12 +21,8 @@ struct Summary<'a> {
     samples: u64,
     duration_s: f64,
     rate_hz: f64,
-    precision: &'static str,
-    frame: &'static str,
-    algorithm: &'static str,
-    #[serde(with = "schuler_simulator::scene::window")]
-    window: Option<WindowShape>,
-    vertical: &'static str,
+    #[serde(flatten)]
+    navigated: Navigated,
     gap: &'static str,
     bridged: Gaps,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -87,11 +83,10 @@ pub fn json(flight: &Flight, comparison: &Comparison, about: &About, files: &[&s
         samples: flight.samples,
         duration_s: flight.last.0 - spans.navigate_s,
         rate_hz,
-        precision: options.precision.name(),
-        frame: options.frame.name(),
-        algorithm: options.algorithm.name(),
-        window: (options.algorithm == Algorithm::Taylor).then_some(shape),
-        vertical: options.vertical.name(),
+        navigated: Navigated::new(
+            options,
+            (options.algorithm == Algorithm::Taylor).then_some(shape),
+        ),
         gap: options.gap.name(),
         bridged: Gaps { gaps, samples, time_s },
         gravity_neglected: flight.neglected,

@@ -1,7 +1,7 @@
 //! `drift.csv`: a row per sample, or fewer, written as the run goes.
 
+use super::every::Every;
 use super::thinned::Thinned;
-use crate::cli::Every;
 use schuler_simulator::flight::{Instant, Nine};
 use schuler_simulator::input::InputError;
 use schuler_simulator::output::{NumberTable, OutputFile};

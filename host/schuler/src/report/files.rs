@@ -1,12 +1,16 @@
 //! The files of a flight: they get their names together when it has ended, with or without an error.
 
+use super::every::Every;
 use super::rows::{self, RowFiles};
 use super::{DriftCsv, drift_csv, head, html, plot, summary};
-use crate::cli::Every;
 use schuler_simulator::flight::{Flight, Instant};
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::{self, OutputFile};
 use std::path::{Path, PathBuf};
+
+/// Every file of a flight, written or not.
+pub const NAMES: [&str; 6] =
+    [drift_csv::NAME, summary::NAME, plot::NAME, html::NAME, rows::NAMES[0], rows::NAMES[1]];
 
 /// What is to be written besides `summary.json` and `drift.csv`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -73,10 +77,12 @@ impl FlightFiles {
         self.rows.as_mut().map_or(Ok(()), |rows| rows.row(instant))
     }
 
-    /// Writes what is known at the end, and puts all in their places.
-    pub fn finish(self, flight: &Flight) -> Result<(), InputError> {
+    /// Writes what is known at the end, and puts all in their places, together with others.
+    pub fn finish(self, flight: &Flight, others: Vec<OutputFile>) -> Result<(), InputError> {
         let Self { drift, mut summary, pages, rows, stale } = self;
+        // The folder of the first is locked.
         let mut files = vec![drift.into_file()?];
+        files.extend(others);
         let mut names = vec![drift_csv::NAME];
         if let Some([mut picture, mut page]) = pages {
             picture.put(drawn(&picture, plot::png(flight))?)?;

@@ -1,6 +1,7 @@
 //! What every summary says of its origin: by it a result can be made again, and read by a program of another
 //! version.
 
+use schuler_simulator::scene::{Navigator, WindowShape};
 use serde::Serialize;
 use std::path::Path;
 
@@ -30,6 +31,41 @@ impl<'a> Head<'a> {
         let version = env!("CARGO_PKG_VERSION");
         Self { schema_version: SCHEMA_VERSION, kind, version, command, files }
     }
+}
+
+/// How a summary's flight was navigated.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Navigated {
+    precision: &'static str,
+    frame: &'static str,
+    algorithm: &'static str,
+    #[serde(with = "schuler_simulator::scene::window")]
+    window: Option<WindowShape>,
+    vertical: &'static str,
+}
+
+impl Navigated {
+    /// By a navigator, with its window if it has one.
+    pub fn new(navigator: &Navigator, window: Option<WindowShape>) -> Self {
+        Self {
+            precision: navigator.precision.name(),
+            frame: navigator.frame.name(),
+            algorithm: navigator.algorithm.name(),
+            window,
+            vertical: navigator.vertical.name(),
+        }
+    }
+}
+
+/// The program, libm and the machine, for people.
+pub fn versions() -> String {
+    format!(
+        "schuler {}, libm {}, {} {}",
+        env!("CARGO_PKG_VERSION"),
+        env!("SCHULER_LIBM_VERSION"),
+        std::env::consts::ARCH,
+        std::env::consts::OS
+    )
 }
 
 /// The files that a summary in a folder says belong to it; none where there is no summary.

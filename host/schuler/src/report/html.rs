@@ -1,6 +1,6 @@
 //! `report.html`: the run on one self-contained page that needs no network.
 
-use super::{ended, figures, heading, link_table, norm, parameters, table};
+use super::{ended, figures, head, heading, link_table, norm, parameters, table};
 use schuler_report::axis::printed;
 use schuler_report::page::{self, panel};
 use schuler_report::svg::escape;
@@ -166,16 +166,7 @@ fn provenance(flight: &Flight) -> String {
         let value = format!("{trajectory} truth, {emulate} sensor errors, {navigate} navigation");
         rows.push(row("time per sample", value));
     }
-    rows.push(row(
-        "versions",
-        format!(
-            "schuler {}, libm {}, {} {}",
-            env!("CARGO_PKG_VERSION"),
-            env!("SCHULER_LIBM_VERSION"),
-            std::env::consts::ARCH,
-            std::env::consts::OS
-        ),
-    ));
+    rows.push(row("versions", head::versions()));
     let digest = format!("<p>Digest of every state: <code>{}</code></p>\n", escape(&flight.digest));
     format!("<h2>Seed, versions, digest</h2>\n{}{digest}", panel(&[], &rows))
 }

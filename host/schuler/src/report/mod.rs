@@ -5,11 +5,13 @@
 
 pub mod drift_charts;
 pub mod drift_csv;
+pub mod every;
 pub mod figures;
 pub mod files;
 pub mod head;
 pub mod html;
 pub mod link_table;
+pub mod messages;
 pub mod motion_charts;
 pub mod parameters;
 pub mod plot;

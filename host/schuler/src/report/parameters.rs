@@ -1,8 +1,10 @@
 //! The scene for people: every parameter in the unit of its file.
 
+use schuler_simulator::course::Path;
 use schuler_simulator::number;
+use schuler_simulator::scene::route::{Origin, Route};
 use schuler_simulator::scene::terms::{Key, TERMS, Term};
-use schuler_simulator::scene::{Channel, GaussMarkov, Scene, SensorErrors};
+use schuler_simulator::scene::{Channel, GaussMarkov, Mounting, Scene, SensorErrors, Trajectory};
 use schuler_simulator::units::{self, DEGREE};
 use std::f64::consts::TAU;
 
@@ -55,9 +57,51 @@ pub fn sensors(scene: &Scene) -> Rows {
     rows
 }
 
-/// A row per channel: its name and its formula.
+/// A row per channel, its name and its formula, or what the path was made from; and what rides on it.
 pub fn trajectory(scene: &Scene) -> Rows {
-    let t = &scene.trajectory;
+    let motion = &scene.trajectory;
+    let mut rows = match (&motion.path, &motion.route) {
+        (Some(path), Some(route)) => {
+            let row = |name: &str, value: String| vec![name.to_owned(), value];
+            vec![row("path", made_from(path, route)), row("attitude", route.attitude.to_owned())]
+        }
+        _ => channels(motion),
+    };
+    let Mounting { lever_arm_m, vibration } = &motion.mounting;
+    if *lever_arm_m != [0.0; 3] {
+        rows.push(vec!["lever arm".to_owned(), axes(lever_arm_m, 1.0, "m")]);
+    }
+    let shaken = [
+        ("vibration, roll", &vibration.roll, DEGREE, "°"),
+        ("vibration, pitch", &vibration.pitch, DEGREE, "°"),
+        ("vibration, yaw", &vibration.yaw, DEGREE, "°"),
+        ("vibration, forward", &vibration.forward, 1.0, " m"),
+        ("vibration, right", &vibration.right, 1.0, " m"),
+        ("vibration, down", &vibration.down, 1.0, " m"),
+    ];
+    let shaken = shaken.into_iter().filter(|(_, channel, ..)| **channel != Channel::default());
+    rows.extend(shaken.map(|(name, channel, unit, symbol)| {
+        vec![name.to_owned(), formula(channel, unit, symbol)]
+    }));
+    rows
+}
+
+/// What a path was made from, in words.
+pub fn made_from(path: &Path, route: &Route) -> String {
+    let (count, degree) = match path {
+        Path::Spline(path) => (path.pieces().len(), 7),
+        Path::Blend(path) => (path.pieces().len(), 11),
+    };
+    let from = match &route.from {
+        Origin::Segments(flown) => format!("{} segments", flown.segments.len()),
+        Origin::Waypoints { points, past: None } => format!("through {} way-points", points.len()),
+        Origin::Waypoints { points, past: Some(_) } => format!("past {} way-points", points.len()),
+        Origin::Log { file, rows, .. } => format!("{rows} rows of {file}"),
+    };
+    format!("{from}, {count} pieces of degree {degree}")
+}
+
+fn channels(t: &Trajectory) -> Rows {
     [
         ("roll", &t.roll, DEGREE, "°"),
         ("pitch", &t.pitch, DEGREE, "°"),

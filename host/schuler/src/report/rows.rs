@@ -1,7 +1,7 @@
 //! `nav.csv` and `truth.csv` of a run: the motion as computed and as it is, row by row.
 
+use super::every::Every;
 use super::thinned::Thinned;
-use crate::cli::Every;
 use schuler_simulator::flight::Instant;
 use schuler_simulator::input::InputError;
 use schuler_simulator::output::OutputFile;

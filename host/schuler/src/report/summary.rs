@@ -1,10 +1,9 @@
 //! `summary.json`: a run in numbers, for programs.
 
-use super::head::Head;
+use super::head::{Head, Navigated};
 use super::{Nine, norm};
 use schuler_simulator::flight::{Edges, Ended, Flight, LinkReport, Planned};
 use schuler_simulator::high::Neglected;
-use schuler_simulator::scene::WindowShape;
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -19,12 +18,8 @@ struct Summary<'a> {
     duration_s: f64,
     rate_hz: f64,
     seed: u64,
-    precision: &'static str,
-    frame: &'static str,
-    algorithm: &'static str,
-    #[serde(with = "schuler_simulator::scene::window")]
-    window: Option<WindowShape>,
-    vertical: &'static str,
+    #[serde(flatten)]
+    navigated: Navigated,
     gap: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     planned: Option<Planned>,
@@ -105,11 +100,7 @@ impl<'a> Summary<'a> {
             duration_s: if flight.ended.is_some() { flight.last.time_s } else { scene.duration_s },
             rate_hz: scene.rate_hz,
             seed: scene.seed,
-            precision: scene.navigator.precision.name(),
-            frame: scene.navigator.frame.name(),
-            algorithm: scene.navigator.algorithm.name(),
-            window: flight.window,
-            vertical: scene.navigator.vertical.name(),
+            navigated: Navigated::new(&scene.navigator, flight.window),
             gap: scene.navigator.gap.name(),
             planned: flight.planned,
             edges: flight.edges,

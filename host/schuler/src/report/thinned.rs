@@ -1,6 +1,6 @@
 //! The instants of a run that tables keep.
 
-use crate::cli::{Every, Sieve};
+use super::every::{Every, Sieve};
 use schuler_simulator::flight::Instant;
 
 /// Keeps the first instant, the last, and those in between that are wanted.

@@ -4,6 +4,7 @@
 
 mod clock;
 mod csv;
+mod foreign;
 mod gaps;
 mod measure;
 mod navigation;

@@ -1,6 +1,6 @@
 //! The PSINS format on a small file made here.
 
-use super::{near, read, scratch, text};
+use super::{at_rest, even, near, read, scratch, text};
 use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::recording::samples::Sample;
 use std::f64::consts::PI;
@@ -45,17 +45,21 @@ fn settings_scales_and_axes() {
 }
 
 #[test]
-fn it_is_known_by_its_ending_or_its_comments() {
+fn it_is_known_by_its_content() {
     let folder = scratch();
-    for (name, content) in [
-        ("car.imu", format!("{}{COUNTS}", HEAD.trim_start_matches(|c| c != '1'))),
-        ("car.txt", format!("{HEAD}{COUNTS}")),
-    ] {
-        let path = folder.path().join(name);
-        std::fs::write(&path, content).expect("the disk has room");
-        let recording = Recording::open(text(&path)).unwrap_or_else(|e| panic!("{e}"));
-        assert!(recording.initial.is_some(), "{name}");
+    let bare = HEAD.trim_start_matches(|c| c != '1');
+    for name in ["car.imu", "car.txt"] {
+        for head in [bare, HEAD] {
+            let path = folder.path().join(name);
+            std::fs::write(&path, format!("{head}{COUNTS}")).expect("the disk has room");
+            let recording = Recording::open(text(&path)).unwrap_or_else(|e| panic!("{e}"));
+            assert!(recording.initial.is_some(), "{name}");
+        }
     }
+    // Neither the name nor a comment makes it one.
+    let other = format!("% a comment\n{}", at_rest(0.0, &even(0.0, 100.0, 50), |t| t.to_string()));
+    let recording = Recording::of_text("car.imu", &other).unwrap_or_else(|e| panic!("{e}"));
+    assert!(recording.initial.is_none() && recording.interval_s.is_none());
 }
 
 #[test]
@@ -80,7 +84,7 @@ fn errors_name_file_line_and_column() {
             "gyro_right",
         ),
         (HEAD.to_owned(), "car.imu: has 0 samples", "two samples"),
-        (String::new(), "car.imu: ends within its settings", "pitch"),
+        (String::new(), "car.imu: is empty", "time_s"),
     ];
     for (text, start, words) in cases {
         let told = |samples: Vec<Sample>| samples.into_iter().flat_map(|s| s.unread).next();

@@ -31,6 +31,10 @@ fn rates_durations_and_titles() {
         ("cruise-180", 50.0, 1800.0, 90_000),
         ("polar", 50.0, 600.0, 30_000),
         ("sea-state", 50.0, 3600.0, 180_000),
+        ("circuit", 100.0, 1800.0, 180_000),
+        ("waypoints", 20.0, 1800.0, 36_000),
+        ("drive", 50.0, 1800.0, 90_000),
+        ("pole-circuit", 50.0, 1800.0, 90_000),
     ];
     let names: Vec<_> = builtin::names().collect();
     assert_eq!(names.len(), expected.len());
@@ -48,7 +52,7 @@ fn rates_durations_and_titles() {
         let perfect = !["paper", "sea-state"].contains(&name);
         assert_eq!(scene.gyro == Default::default(), perfect, "{name}");
         assert_eq!(scene.accelerometer == Default::default(), perfect, "{name}");
-        let frame = if name == "polar" { Axes::EarthFixed } else { Axes::LocalLevel };
+        let frame = if name.starts_with("pol") { Axes::EarthFixed } else { Axes::LocalLevel };
         assert_eq!(scene.navigator.frame, frame, "{name}");
     }
     assert_eq!(builtin::scene("no-such-scene"), None);

@@ -287,6 +287,6 @@ fn scenes_that_are_not_there() {
 #[test]
 fn the_largest_values_are_still_taken() {
     let fine = "seed = 18446744073709551615\n[link]\nloss = 0.999999\njitter_s = 0.005\n\
-        [trajectory]\nlatitude_deg = 1000\naltitude_m = -10000\nroll_deg = { rate = 1e5 }\n";
+        [trajectory]\ncrosses_pole = true\nlatitude_deg = 1000\naltitude_m = -10000\nroll_deg = { rate = 1e5 }\n";
     assert_eq!(scene(fine).expect("all in range").seed, u64::MAX);
 }

@@ -5,7 +5,9 @@
 mod attitude;
 mod builtin;
 mod errors;
+mod keys;
 mod navigators;
+mod paths;
 mod sampling;
 mod terms;
 mod units;

@@ -1,6 +1,5 @@
 //! TOML read key by key, so that every error message has its line.
 
-use super::key::{Key, Table};
 use super::{Complaint, InputError, Range};
 use std::ops::Range as Span;
 use toml::de::{DeTable, DeValue};
@@ -133,21 +132,6 @@ impl<'a> Section<'a> {
         self.get(key).map_or(Ok(absent), |value| value.number(range))
     }
 
-    /// The number of a key, if it is there.
-    pub fn read(&self, key: &Key) -> Result<Option<f64>, InputError> {
-        self.get(key.name).map(|value| value.number(&key.range())).transpose()
-    }
-
-    /// The number of a key that must be there.
-    pub fn need(&self, key: &Key) -> Result<f64, InputError> {
-        self.number(key.name, &key.range())
-    }
-
-    /// A table of a table's keys, if it is there.
-    pub fn table(&self, key: &str, table: &Table) -> Result<Option<Self>, InputError> {
-        self.section(key, &table.names())
-    }
-
     /// A complaint about the whole.
     pub fn error(&self, complaint: Complaint) -> InputError {
         self.source.error(self.start, self.prefix.trim_end_matches('.'), complaint)
@@ -238,10 +222,8 @@ impl<'a> Value<'a> {
     pub fn choice<T: Copy>(&self, names: &[(&str, T)]) -> Result<T, InputError> {
         let accepted = choices(names);
         let text = self.text(&accepted)?;
-        let found = names.iter().find(|(name, _)| *name == text);
-        found
-            .map(|(_, choice)| *choice)
-            .ok_or_else(|| self.error(Complaint::new(format!("there is no \"{text}\""), accepted)))
+        let found = names.iter().find(|(name, _)| *name == text).map(|(_, choice)| *choice);
+        found.ok_or_else(|| self.error(Complaint::new(format!("there is no \"{text}\""), accepted)))
     }
 
     /// The elements of an array.

@@ -1,6 +1,7 @@
 //! Keys of a file: one description for the parser, for its complaints and for the reference of all keys.
 
-use super::Range;
+use super::document::Section;
+use super::{InputError, Range};
 use std::fmt::Write as _;
 
 /// A key of a table.
@@ -68,6 +69,23 @@ impl Table {
             let _ = writeln!(text, "| `{name}` | {} | {absent} | {means} |", key.accepted());
         }
         text
+    }
+}
+
+impl Section<'_> {
+    /// The number of a key, if it is there.
+    pub fn read(&self, key: &Key) -> Result<Option<f64>, InputError> {
+        self.get(key.name).map(|value| value.number(&key.range())).transpose()
+    }
+
+    /// The number of a key that must be there.
+    pub fn need(&self, key: &Key) -> Result<f64, InputError> {
+        self.number(key.name, &key.range())
+    }
+
+    /// A table of a table's keys, if it is there.
+    pub fn table(&self, key: &str, table: &Table) -> Result<Option<Self>, InputError> {
+        self.section(key, &table.names())
     }
 }
 

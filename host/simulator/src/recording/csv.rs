@@ -1,6 +1,6 @@
 //! `imu.csv`: increments or instantaneous rates, a row per sample, its time the interval's end.
 
-use super::rows::Unread;
+use super::Unread;
 use crate::input::{Complaint, InputError};
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
@@ -31,21 +31,10 @@ pub(super) fn accepted() -> String {
     format!("{} or {}", INCREMENTS.join(","), RATES.join(","))
 }
 
-/// The columns that a header names.
-pub(super) fn columns(
-    name: &str,
-    line: u64,
-    header: &[u8],
-) -> Result<&'static [&'static str; 7], InputError> {
+/// The columns that a header names, if it is one of these.
+pub(super) fn columns(header: &[u8]) -> Option<&'static [&'static str; 7]> {
     let is = |columns: &[&str]| fields(header).eq(columns.iter().map(|column| column.as_bytes()));
-    if is(&INCREMENTS) {
-        Ok(&INCREMENTS)
-    } else if is(&RATES) {
-        Ok(&RATES)
-    } else {
-        let complaint = Complaint::new("the header is not one of an imu.csv", accepted());
-        Err(InputError::line(name, line, complaint))
-    }
+    [&INCREMENTS, &RATES].into_iter().find(|columns| is(&columns[..]))
 }
 
 /// A row's stamp and values, or the stamp alone.

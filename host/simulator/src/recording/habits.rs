@@ -87,7 +87,10 @@ impl Habits {
         let step = if coarse { mean * share } else { mean };
         let increment = force / count as f64;
         let increment = (recording.kind == Kind::Increments).then_some(increment);
-        let (unit, unit_s) = unit(&recording.name, step, increment)?;
+        let (unit, unit_s) = match recording.time {
+            Some(stated) => stated.counted(),
+            None => unit(&recording.name, step, increment)?,
+        };
         let spread_s = ((at(0.9) - at(0.1)) * unit_s).min(mean * unit_s);
         let (step_s, distinct_s) = (step * unit_s, mean * unit_s);
         Ok(Self { unit, unit_s, step_s, distinct_s, spread_s, coarse })

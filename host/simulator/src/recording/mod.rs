@@ -2,15 +2,20 @@
 
 pub mod clock;
 pub mod csv;
+pub mod foreign;
 pub mod habits;
 pub mod heights;
+pub mod instant;
 pub mod lag;
 pub mod line;
+pub mod lines;
 pub mod measure;
+pub mod mounting;
 pub mod navigation;
 pub mod periods;
 pub mod psins;
 pub mod quadrature;
+pub mod reduction;
 pub mod reference;
 pub mod rows;
 pub mod samples;
@@ -22,6 +27,7 @@ pub mod writer;
 
 pub use schuler::alignment::units::Kind;
 
+use crate::input::InputError;
 use schuler::sample::Increment;
 
 /// A row as it stands in its file.
@@ -36,4 +42,13 @@ pub struct Row {
     pub values: Increment<f64>,
     /// Whether its text is that of the row before.
     pub repeated: bool,
+}
+
+/// A line that is not a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unread {
+    /// Its time stamp, where that can be read.
+    pub stamp: Option<f64>,
+    /// What is wrong.
+    pub error: Box<InputError>,
 }

@@ -7,8 +7,9 @@
 //!
 //! Axes are right, forward, up. The n-th sample ends n intervals after the start.
 
+use super::Unread;
+use super::lines::Lines;
 use super::navigation::NavigationRow;
-use super::rows::{Lines, Unread};
 use crate::input::{Complaint, InputError, Range};
 use crate::scene::limits::ALTITUDE_M;
 use crate::units::{ARCSECOND, DEGREE};
@@ -71,13 +72,36 @@ pub(super) struct Settings {
     micro_g: f64,
 }
 
-/// The settings, and the state that they start from. `filled` says whether there is a first line.
+/// Whether a file looks like one from its first line: six numbers with blanks between in each line of settings, of
+/// which at most one is out of range.
+pub(super) fn is_one(lines: &mut Lines) -> Result<bool, InputError> {
+    let (mut found, mut wrong) = (0, 0);
+    for columns in [&ATTITUDE_AND_VELOCITY, &POSITION_AND_TIME, &SCALES] {
+        let mut filled = lines.next_filled()?;
+        while filled && lines.text().starts_with(b"%") {
+            filled = lines.next_filled()?;
+        }
+        if !filled {
+            break;
+        }
+        let Ok(line) = std::str::from_utf8(lines.text()) else { return Ok(false) };
+        let fields: Vec<_> = line.split_ascii_whitespace().map(str::parse::<f64>).collect();
+        if fields.len() != columns.len() || fields.iter().any(Result::is_err) {
+            return Ok(false);
+        }
+        found += 1;
+        let values = fields.into_iter().flatten().zip(columns);
+        wrong += values.filter(|(value, (_, range))| range.check(*value).is_err()).count();
+    }
+    Ok(found > 0 && wrong <= 1)
+}
+
+/// The settings, and the state that they start from. The first line is at hand.
 pub(super) fn settings(
     name: &str,
     lines: &mut Lines,
-    mut filled: bool,
 ) -> Result<(Settings, NavigationRow), InputError> {
-    let mut read = false;
+    let (mut filled, mut read) = (true, false);
     let mut next = |columns: &Columns| {
         while filled && (read || lines.text().starts_with(b"%")) {
             filled = lines.next_filled()?;

@@ -1,8 +1,11 @@
 //! A reference to compare a replay with: a `truth.csv`, a `nav.csv`, or positions alone.
 
+use super::instant::Scale;
 use super::navigation::{COLUMNS, NavigationRow, RANGES};
 use super::table::{self, Column};
-use crate::input::{Complaint, InputError};
+use crate::input::{Complaint, InputError, read_text};
+use crate::reference::{Fix, Track};
+use schuler::earth::Geodetic;
 use schuler::math::compensated::Pair;
 use schuler::math::quaternion::Quaternion;
 use schuler::math::vector::Vector;
@@ -24,6 +27,46 @@ pub struct Reference {
 }
 
 impl Reference {
+    /// From a CSV file, or from positions that others measured, whose times are told on the scale of a recording,
+    /// or where that is not known in seconds since 1970, UTC.
+    pub fn open(file: &str, scale: Option<Scale>) -> Result<Self, InputError> {
+        let text = read_text(file)?;
+        if !Track::is_one(&text) {
+            return Self::read(file);
+        }
+        let track = Track::parse(file, &text)?.on(scale.unwrap_or(Scale::Utc));
+        let whole = |fix: &Fix| fix.north_east.is_some() && fix.down.is_some();
+        let has_velocity = track.fixes.iter().all(whole);
+        let mut rows: Vec<(f64, Solution<f64>)> = Vec::new();
+        for fix in &track.fixes {
+            let (Some(time_s), Some(altitude)) = (fix.time_s, fix.height) else {
+                let complaint = Complaint::new("has no time or no height", "both in every place");
+                return Err(InputError::line(file, fix.line, complaint));
+            };
+            if rows.last().is_some_and(|(before_s, _)| *before_s >= time_s) {
+                let complaint =
+                    Complaint::new("is not after the place before", "times that increase");
+                return Err(InputError::line(file, fix.line, complaint));
+            }
+            let position = Geodetic { latitude: fix.latitude, longitude: fix.longitude, altitude };
+            let [north, east] = fix.north_east.unwrap_or_default();
+            let velocity_ned = Vector::new(north, east, fix.down.unwrap_or_default());
+            let row = NavigationRow { time_s, position, velocity_ned, ..NavigationRow::default() };
+            let mut state = row.solution();
+            if !has_velocity {
+                state.velocity_ned = Vector { x: NOTHING, y: NOTHING, z: NOTHING };
+            }
+            state.attitude = UNKNOWN;
+            rows.push((time_s, state));
+        }
+        if rows.len() < 2 {
+            let complaint = Complaint::new(format!("has {} places", rows.len()), "two or more");
+            return Err(InputError::file(file, complaint));
+        }
+        let name = file.to_owned();
+        Ok(Self { name, rows, has_velocity, has_attitude: false, others: Vec::new() })
+    }
+
     /// From a CSV file with columns named as those of `nav.csv`, in any order: a time and a position,
     /// and velocity and attitude if they are there.
     pub fn read(file: &str) -> Result<Self, InputError> {

@@ -1,15 +1,17 @@
 //! A recording's file, read from its start as often as needed, a row at a time.
 
+use super::foreign::{self, Given, Parts, PartsReader};
+use super::instant::Scale;
+use super::lines::{self, Lines};
 use super::navigation::NavigationRow;
-use super::{Kind, Row, csv, psins};
+use super::reduction::Reduction;
+use super::{Kind, Row, Unread, csv, psins};
 use crate::input::{Complaint, InputError};
-use crate::rest::units::Units;
+use crate::rest::units::{TimeUnit, Units};
+use schuler::math::vector::Vector;
+use schuler::sample::Increment;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Seek, Write};
 use std::path::Path;
-
-/// Bytes of a line, at most: a file without lines is no recording.
-const LONGEST: u64 = 1 << 16;
 
 /// A file of samples, not yet read beyond what stands before them.
 #[derive(Debug)]
@@ -22,102 +24,143 @@ pub struct Recording {
     pub interval_s: Option<f64>,
     /// The state that the file itself says it starts from.
     pub initial: Option<NavigationRow>,
-    file: File,
+    /// How its times are written; absent where their look decides.
+    pub time: Option<TimeUnit>,
+    /// What its times are counted from, where that is known.
+    pub scale: Option<Scale>,
+    /// What was found in opening it, a line each.
+    pub said: Vec<String>,
     layout: Layout,
-    units: Units,
-    /// Where the rows begin, and on which line.
-    begins: (u64, u64),
+    reduction: Reduction,
 }
 
 /// How rows are written.
+#[derive(Debug)]
+enum Layout {
+    /// One file in a layout of its own, from where its rows begin.
+    Own { file: File, own: Own, begins: (u64, u64) },
+    /// By a map.
+    Mapped(Parts),
+}
+
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Layout {
+enum Own {
     Csv(&'static [&'static str; 7]),
     Psins(psins::Settings),
 }
 
 impl Recording {
-    /// From a file: a PSINS `.imu` (by its ending or its `%`), else a CSV of increments or rates. What can
-    /// be read only once, a pipe, is kept in a temporary file that nobody else sees.
+    /// From a file or a folder whose content is known: our own CSV, a PSINS `.imu`, a format of `formats`, or numbers
+    /// that tell their columns.
     pub fn open(name: &str) -> Result<Self, InputError> {
-        let open = || -> io::Result<File> {
-            let mut file = File::open(name)?;
-            if file.metadata()?.is_file() {
-                return Ok(file);
-            }
-            let mut spooled = tempfile::tempfile()?;
-            io::copy(&mut file, &mut spooled)?;
-            Ok(spooled)
-        };
-        Self::new(name, open().map_err(|error| unreadable(name, &error))?)
+        Self::open_as(name, &Given::default())
     }
 
     /// The same, its numbers in units of their own.
     pub fn open_in(name: &str, units: Units) -> Result<Self, InputError> {
-        let recording = Self::open(name)?;
-        let kind = units.kind.unwrap_or(recording.kind);
-        if matches!(recording.layout, Layout::Psins(_)) && kind == Kind::Rates {
-            let what = "a PSINS .imu holds increments";
-            let complaint = Complaint::new(what, "units without rates");
-            return Err(InputError::option("--units", complaint));
-        }
-        Ok(Self { kind, units, ..recording })
+        Self::open_as(name, &Given { units, ..Given::default() })
+    }
+
+    /// The same with all that is said of it.
+    pub fn open_as(name: &str, given: &Given) -> Result<Self, InputError> {
+        let file = if Path::new(name).is_dir() { None } else { Some(lines::open(name)?) };
+        Self::new(name, file, given)
     }
 
     /// From a text; `name` stands for it in errors.
     pub fn of_text(name: &str, text: &str) -> Result<Self, InputError> {
-        let spool = || -> io::Result<File> {
-            let mut file = tempfile::tempfile()?;
-            file.write_all(text.as_bytes())?;
-            Ok(file)
-        };
-        Self::new(name, spool().map_err(|error| unreadable(name, &error))?)
+        Self::new(name, Some(lines::spooled(name, text)?), &Given::default())
     }
 
-    fn new(name: &str, file: File) -> Result<Self, InputError> {
-        let mut lines = Lines::new(name, &file, (0, 0))?;
-        let first = lines.next_filled()?;
-        let is_psins = Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("imu"))
-            || (first && lines.text().starts_with(b"%"));
-        if is_psins {
-            let (settings, initial) = psins::settings(name, &mut lines, first)?;
-            return Ok(Self {
-                name: name.to_owned(),
-                kind: Kind::Increments,
-                interval_s: Some(settings.interval_s),
-                initial: Some(initial),
-                file,
-                layout: Layout::Psins(settings),
-                units: Units::default(),
-                begins: lines.place(),
-            });
+    fn new(name: &str, file: Option<File>, given: &Given) -> Result<Self, InputError> {
+        let mapped = given.map.is_some() || given.columns.is_some();
+        let mut file = file;
+        if let Some(own) = file.take_if(|_| !mapped) {
+            match Self::own(name, own, given)? {
+                Ok(recording) => return Ok(recording),
+                Err(other) => file = Some(other),
+            }
         }
-        if !first {
+        let opened = foreign::open(name, file.as_ref(), given)?;
+        Ok(Self {
+            name: opened.parts.name().to_owned(),
+            kind: opened.kind,
+            interval_s: opened.interval_s,
+            initial: None,
+            time: opened.time,
+            scale: opened.scale,
+            said: opened.said,
+            layout: Layout::Mapped(opened.parts),
+            reduction: opened.reduction,
+        })
+    }
+
+    /// A file in a layout of its own, or the file again.
+    fn own(name: &str, file: File, given: &Given) -> Result<Result<Self, File>, InputError> {
+        let mut lines = Lines::new(name, &file, (0, 0))?;
+        if !lines.next_filled()? {
             return Err(InputError::file(name, Complaint::new("is empty", csv::accepted())));
         }
-        let columns = csv::columns(name, lines.number, lines.text())?;
-        let kind = if *columns == csv::RATES { Kind::Rates } else { Kind::Increments };
-        Ok(Self {
+        let mut recording = Self {
             name: name.to_owned(),
-            kind,
+            kind: Kind::Increments,
             interval_s: None,
             initial: None,
-            file,
-            layout: Layout::Csv(columns),
-            units: Units::default(),
-            begins: lines.place(),
-        })
+            time: given.units.time,
+            scale: None,
+            said: Vec::new(),
+            layout: Layout::Mapped(Parts::none()),
+            reduction: Reduction {
+                units: given.units,
+                mounting: given.axes,
+                ..Reduction::default()
+            },
+        };
+        let own = if let Some(columns) = csv::columns(lines.text()) {
+            if *columns == csv::RATES {
+                recording.kind = Kind::Rates;
+            }
+            Own::Csv(columns)
+        } else if psins::is_one(&mut Lines::new(name, &file, (0, 0))?)? {
+            let (settings, initial) = psins::settings(name, &mut lines)?;
+            let stated = [
+                (given.units.kind == Some(Kind::Rates), "--units", "units without rates"),
+                (given.units.time.is_some(), "--units", "units without one of time"),
+                (given.axes.is_some(), "--axes", "none: its axes are right-forward-up"),
+            ];
+            if let Some((_, option, accepted)) = stated.into_iter().find(|(wrong, ..)| *wrong) {
+                let complaint =
+                    Complaint::new("contradicts a PSINS .imu, which holds increments", accepted);
+                return Err(InputError::option(option, complaint));
+            }
+            recording.interval_s = Some(settings.interval_s);
+            recording.initial = Some(initial);
+            Own::Psins(settings)
+        } else {
+            return Ok(Err(file));
+        };
+        recording.kind = given.units.kind.unwrap_or(recording.kind);
+        recording.layout = Layout::Own { file, own, begins: lines.place() };
+        Ok(Ok(recording))
     }
 
     /// Its rows from the first one.
     pub fn rows(&self) -> Result<Rows, InputError> {
-        Ok(Rows {
-            lines: Lines::new(&self.name, &self.file, self.begins)?,
-            layout: self.layout,
-            units: self.units,
-            before: Vec::new(),
-            read: 0,
-        })
+        let source = match &self.layout {
+            Layout::Own { file, own, begins } => Source::Own {
+                lines: Box::new(Lines::new(&self.name, file, *begins)?),
+                own: *own,
+                before: Vec::new(),
+                read: 0,
+            },
+            Layout::Mapped(parts) => Source::Mapped(parts.reader()?),
+        };
+        Ok(Rows { source, reduction: self.reduction, kind: self.kind })
+    }
+
+    /// What known biases add to increments, per second of their interval.
+    pub fn bias_per_second(&self) -> Option<Increment<f64>> {
+        self.reduction.per_second(self.kind)
     }
 
     /// An error about one of its lines.
@@ -129,111 +172,66 @@ impl Recording {
 /// The rows of a recording, in the order of its lines.
 #[derive(Debug)]
 pub struct Rows {
-    lines: Lines,
-    layout: Layout,
-    units: Units,
-    before: Vec<u8>,
-    read: u64,
+    source: Source,
+    reduction: Reduction,
+    kind: Kind,
 }
 
-/// A line that is not a row.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Unread {
-    /// Its time stamp, where that can be read.
-    pub stamp: Option<f64>,
-    /// What is wrong.
-    pub error: Box<InputError>,
+/// Where rows come from.
+#[derive(Debug)]
+enum Source {
+    Own { lines: Box<Lines>, own: Own, before: Vec<u8>, read: u64 },
+    Mapped(PartsReader),
 }
 
 impl Rows {
     /// The next row, whole or its stamp alone; a line that is none; or the end. An error is one of the file.
     pub fn next(&mut self, whole: bool) -> Result<Option<Result<Row, Unread>>, InputError> {
+        let row = match &mut self.source {
+            Source::Own { lines, own, before, read } => own.next(lines, before, read, whole)?,
+            Source::Mapped(reader) => reader.next(whole)?.map(|taken| {
+                taken.map(|taken| {
+                    let [a, b, c, u, v, w] = taken.values;
+                    let (angle_b, velocity_b) = (Vector::new(a, b, c), Vector::new(u, v, w));
+                    let values = Increment { angle_b, velocity_b };
+                    Row { stamp: taken.stamp, line: taken.line, values, repeated: taken.repeated }
+                })
+            }),
+        };
+        let reduced =
+            |row: Row| Row { values: self.reduction.apply(&row.values, self.kind), ..row };
+        Ok(row.map(|row| if whole { row.map(reduced) } else { row }))
+    }
+}
+
+impl Own {
+    fn next(
+        self,
+        lines: &mut Lines,
+        before: &mut Vec<u8>,
+        read: &mut u64,
+        whole: bool,
+    ) -> Result<Option<Result<Row, Unread>>, InputError> {
         loop {
-            if !self.lines.next_filled()? {
+            if !lines.next_filled()? {
                 return Ok(None);
             }
-            let comment = matches!(self.layout, Layout::Psins(_)) && self.lines.text()[0] == b'%';
-            if !comment {
+            if !(matches!(self, Self::Psins(_)) && lines.text()[0] == b'%') {
                 break;
             }
         }
-        self.read += 1;
-        let Lines { name, number, .. } = &self.lines;
-        let text = self.lines.text();
-        let parsed = match self.layout {
-            Layout::Csv(columns) => csv::row(name, *number, columns, text, whole),
-            Layout::Psins(settings) => settings.row(name, *number, self.read, text, whole),
+        *read += 1;
+        let (name, line) = (&lines.name, lines.number);
+        let text = lines.text();
+        let parsed = match self {
+            Self::Csv(columns) => csv::row(name, line, columns, text, whole),
+            Self::Psins(settings) => settings.row(name, line, *read, text, whole),
         };
-        let repeated = self.before == text;
+        let repeated = before == text;
         if !repeated {
-            self.before.clear();
-            self.before.extend_from_slice(text);
+            before.clear();
+            before.extend_from_slice(text);
         }
-        let (line, units) = (*number, self.units);
-        Ok(Some(parsed.map(|(stamp, values)| {
-            let values = units.apply(&values);
-            Row { stamp, line, values, repeated }
-        })))
+        Ok(Some(parsed.map(|(stamp, values)| Row { stamp, line, values, repeated })))
     }
-}
-
-/// Lines of a file with their numbers, blank ones passed over.
-#[derive(Debug)]
-pub(super) struct Lines {
-    name: String,
-    reader: BufReader<File>,
-    line: Vec<u8>,
-    offset: u64,
-    /// Of the line at hand, from 1.
-    pub(super) number: u64,
-}
-
-impl Lines {
-    fn new(name: &str, file: &File, (offset, number): (u64, u64)) -> Result<Self, InputError> {
-        let again = || -> io::Result<File> {
-            let mut file = file.try_clone()?;
-            file.seek(io::SeekFrom::Start(offset))?;
-            Ok(file)
-        };
-        let file = again().map_err(|error| unreadable(name, &error))?;
-        let reader = BufReader::with_capacity(1 << 18, file);
-        Ok(Self { name: name.to_owned(), reader, line: Vec::new(), offset, number })
-    }
-
-    /// Goes on to the next line that is not blank; false at the end.
-    pub(super) fn next_filled(&mut self) -> Result<bool, InputError> {
-        loop {
-            self.line.clear();
-            let read = self.reader.by_ref().take(LONGEST).read_until(b'\n', &mut self.line);
-            let read = read.map_err(|error| unreadable(&self.name, &error))?;
-            if read == 0 {
-                return Ok(false);
-            }
-            self.offset += read as u64;
-            self.number += 1;
-            if read as u64 == LONGEST {
-                let what = format!("the line is longer than {LONGEST} bytes");
-                return Err(InputError::line(&self.name, self.number, Complaint::new(what, "")));
-            }
-            if self.number == 1 && self.line.starts_with(b"\xEF\xBB\xBF") {
-                self.line.drain(..3);
-            }
-            if !self.text().is_empty() {
-                return Ok(true);
-            }
-        }
-    }
-
-    /// The line at hand, without white space around it.
-    pub(super) fn text(&self) -> &[u8] {
-        self.line.trim_ascii()
-    }
-
-    fn place(&self) -> (u64, u64) {
-        (self.offset, self.number)
-    }
-}
-
-fn unreadable(name: &str, error: &io::Error) -> InputError {
-    InputError::file(name, Complaint::new(format!("cannot be read: {error}"), ""))
 }

@@ -40,6 +40,8 @@ pub struct Samples {
     timeline: Timeline,
     clock: Clock,
     kind: Kind,
+    /// What known biases add to increments, per second.
+    bias: Option<Increment<f64>>,
     /// When the first sample begins, where that is known from elsewhere, s.
     origin_s: Option<f64>,
     /// The last row, its number with missing ones counted, its end and its interval in s.
@@ -60,6 +62,7 @@ impl Samples {
             timeline: Timeline::new(recording, survey.habits, timeline::EVERY)?,
             clock: survey.clock,
             kind: recording.kind,
+            bias: recording.bias_per_second(),
             origin_s,
             last: None,
             quadrature: Quadrature::new(0.0),
@@ -93,6 +96,14 @@ impl Samples {
     /// What could not be read after the last sample.
     pub fn trailing(&self) -> &[Misfit] {
         self.timeline.trailing()
+    }
+
+    /// A time from the first row's on, s, where the clock tells it better than the difference of times does.
+    fn since_first(&self, n: u64, end_s: f64) -> f64 {
+        match self.clock {
+            Clock::Even { interval_s, .. } => n as f64 * interval_s,
+            Clock::Stamps { .. } => end_s,
+        }
     }
 
     /// Takes a row, and what is missing before it.
@@ -133,10 +144,14 @@ impl Samples {
                     filled: true,
                     unread: unread.take().unwrap_or_default(),
                 };
-                self.hand_on(filler);
+                self.hand_on(
+                    filler,
+                    self.since_first(n - (row.missing + 1 - i), between(before_end_s, end_s)),
+                );
             }
         }
-        self.hand_on(Sample {
+        let node_s = self.since_first(n, end_s);
+        let sample = Sample {
             time_s: stamp_s,
             end_s,
             interval_s,
@@ -145,7 +160,8 @@ impl Samples {
             missing: if broken { row.missing } else { 0 },
             filled: false,
             unread: unread.unwrap_or_default(),
-        });
+        };
+        self.hand_on(sample, node_s);
     }
 
     /// A row's number, its end and its interval, s.
@@ -180,10 +196,16 @@ impl Samples {
         self.quadrature = Quadrature::new(first_interval_s);
     }
 
-    fn hand_on(&mut self, sample: Sample) {
+    /// Hands a sample on, whose rates are those of a time, s.
+    fn hand_on(&mut self, mut sample: Sample, node_s: f64) {
+        if let Some(Increment { angle_b, velocity_b }) = self.bias {
+            let increment = &mut sample.increment;
+            increment.angle_b = increment.angle_b - angle_b * sample.interval_s;
+            increment.velocity_b = increment.velocity_b - velocity_b * sample.interval_s;
+        }
         match self.kind {
             Kind::Increments => self.ready.push_back(sample),
-            Kind::Rates => self.quadrature.push(sample.end_s, sample.increment, sample),
+            Kind::Rates => self.quadrature.push(node_s, sample.increment, sample),
         }
     }
 }

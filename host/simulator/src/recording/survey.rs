@@ -114,9 +114,9 @@ impl Survey {
 
     /// What was found, a line each.
     pub fn said(&self, recording: &Recording) -> Vec<String> {
-        let mut lines = Vec::new();
+        let mut lines = recording.said.clone();
         let name = &recording.name;
-        if self.habits.unit_s != 1.0 {
+        if self.habits.unit_s != 1.0 && recording.time.is_none() {
             lines.push(format!("{name}: stamps are in {}, taken as such", self.habits.unit));
         }
         for (line, period) in &self.mends.rounds {

@@ -1,10 +1,10 @@
 //! Rows in the order of time: stamps in seconds that continue where a counter wrapped around, without duplicate
 //! rows, and for each the number of rows missing before it.
 
-use super::Row;
 use super::habits::Habits;
 use super::periods::{PERIODS, come_round};
-use super::rows::{Recording, Rows, Unread};
+use super::rows::{Recording, Rows};
+use super::{Row, Unread};
 use crate::input::{Complaint, InputError};
 use schuler::sample::Increment;
 use std::collections::VecDeque;

@@ -239,8 +239,8 @@ pub fn upside_down(roll: f64, given: f64) -> Complaint {
         roll / DEGREE,
         given / DEGREE
     );
-    let accepted =
-        "axes forward, right, down; or in --initial the roll of a unit that hangs upside down";
+    let accepted = "--axes with z up, such as forward-left-up; accelerometers that read −g, upwards; or in \
+        --initial the roll of a unit that hangs upside down";
     Complaint::new(what, accepted)
 }
 

@@ -1,12 +1,9 @@
 //! From a scene's channels to the core's trajectory.
 
 use super::{Channel, Mounting, Trajectory, Vibration};
-use crate::course::{Course, Reference};
+use crate::course::{Course, HARMONICS, Reference};
 use schuler::trajectory::carried::Mount;
 use schuler::trajectory::harmonic::{self, Channels, CourseError, HarmonicTrajectory};
-
-/// Harmonics that a scene may have, over all channels.
-pub const HARMONICS: usize = 64;
 
 impl Trajectory {
     /// The motion that is described.

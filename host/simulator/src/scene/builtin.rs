@@ -20,6 +20,10 @@ const SCENES: &[(&str, &str)] = scenes![
     "cruise-180",
     "polar",
     "sea-state",
+    "circuit",
+    "waypoints",
+    "drive",
+    "pole-circuit",
 ];
 
 /// The scene that flies when none is named.

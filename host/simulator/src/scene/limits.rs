@@ -2,8 +2,8 @@
 
 mod path;
 
-use super::build::HARMONICS;
 use super::{Channel, Scene, Trajectory, WindowShape};
+use crate::course::HARMONICS;
 use crate::input::{Complaint, Range};
 use crate::units::DEGREE;
 use schuler::earth::SEMI_MAJOR_AXIS;

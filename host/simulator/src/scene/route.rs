@@ -27,19 +27,12 @@ pub struct Route {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Origin {
     /// What a pilot or a driver does.
-    Segments {
-        /// Where it begins.
-        start: Start,
-        /// How the body lies along it.
-        rule: AttitudeRule,
-        /// One after the other.
-        segments: Vec<Segment>,
-    },
+    Segments(Manoeuvres),
     /// Way-points.
     Waypoints {
-        /// Whether it flies past them in turns.
-        fly_by: bool,
-        /// Each, and when it is passed, s.
+        /// What is flown past them; through them it is a curve.
+        past: Option<Manoeuvres>,
+        /// Each, and when it is passed or nearest, s.
         points: Vec<(f64, Geodetic<f64>)>,
     },
     /// A log.
@@ -53,7 +46,27 @@ pub enum Origin {
     },
 }
 
+/// Segments of a path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Manoeuvres {
+    /// Where it begins.
+    pub start: Start,
+    /// How the body lies along it.
+    pub rule: AttitudeRule,
+    /// One after the other.
+    pub segments: Vec<Segment>,
+}
+
 impl Origin {
+    /// The segments that are flown, if any are.
+    pub fn manoeuvres(&self) -> Option<&Manoeuvres> {
+        match self {
+            Self::Segments(manoeuvres) => Some(manoeuvres),
+            Self::Waypoints { past, .. } => past.as_ref(),
+            Self::Log { .. } => None,
+        }
+    }
+
     /// The file that it was read from, beside the scene's.
     pub fn file(&self) -> Option<&str> {
         match self {
@@ -65,7 +78,7 @@ impl Origin {
     /// The key of a scene that it stands under.
     pub fn key(&self) -> &'static str {
         match self {
-            Self::Segments { .. } => "trajectory.segment",
+            Self::Segments(_) => "trajectory.segment",
             Self::Waypoints { .. } => "trajectory.waypoints",
             Self::Log { .. } => "trajectory.log",
         }

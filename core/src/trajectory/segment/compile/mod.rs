@@ -103,6 +103,7 @@ pub struct Span {
 
 /// An iterator over the pieces of a path by segments, from t = 0 on.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Compiler<'a> {
     segments: &'a [Segment],
     start: Flyer,
@@ -197,6 +198,7 @@ impl Iterator for Compiler<'_> {
 
 /// An iterator over the [`Span`]s of a path.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Spans<'a> {
     segments: &'a [Segment],
     flyer: Flyer,

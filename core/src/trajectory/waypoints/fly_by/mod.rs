@@ -65,6 +65,7 @@ const MOST_TURNS: f64 = 0.95;
 
 /// Way-points and how they are flown.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FlyBy<'a> {
     /// Places: rad, rad, m.
     pub points: &'a [Geodetic<f64>],

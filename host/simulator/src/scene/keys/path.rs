@@ -57,7 +57,9 @@ table! {
     WAYPOINT_BANK = "bank_deg": Number(BANK_RANGE), "25", "of fly-by: the bank of the turns";
     WAYPOINT_BLEND = "blend_s": Number(SECONDS), "4", "of fly-by: the time in which the bank is reached";
     WAYPOINT_SPEED = "speed_m_s": Number(Range::above(0.0, 1e5, "m/s, above 0 and at most 1e5")), "of the points", "the speed at all points that have none, nor a time";
-    LIST = "points": Said("a list of tables"), "", "the points, in their order";
+    LIST = "points": Said("a list of tables"), "file in its place", "the points, in their order";
+    WAYPOINT_FILE = "file": Said("the name of a GPX, KML, NMEA or RTKLIB .pos file"), "points in its place", "the points, by the file's times or at speed_m_s; relative to the scene's";
+    WAYPOINT_ALTITUDE = "altitude_m": Number(ALTITUDE_M), "must be there where a point of the file has none", "height of such points";
     NEAR_ORIGIN = "near_origin": Said("true, false"), "false", "whether all points do lie within 1.6° of the equator and 3.2° of Greenwich: else they are taken for radians, and refused";
 }
 
@@ -74,9 +76,9 @@ table! {
 table! {
     /// A log.
     LOG = "[trajectory.log]", "A path from a CSV file with the columns time_s, latitude_deg, longitude_deg, altitude_m, and roll_deg, pitch_deg, \
-        yaw_deg where the attitude is that of the log; a nav.csv is one.";
+        yaw_deg where the attitude is that of the log: a nav.csv is one; or from a GPX, KML, NMEA or RTKLIB .pos file with times.";
     FILE = "file": Said("the name of a file"), "", "the file, relative to the scene's";
-    NOISE = "noise_m": Said("metres, from 0 up, or [horizontal, vertical]"), "0: the path goes through every row", "rms noise of its positions, which is smoothed away";
+    NOISE = "noise_m": Said("metres, from 0 up, or [horizontal, vertical]"), "0: the path meets every row, to its rounding", "rms noise of its positions, which is smoothed away";
     NOISE_ANGLE = "noise_deg": Number(Range::from_to(0.0, 45.0, "degrees, from 0 to 45")), "0", "rms noise of its angles";
     GAP = "max_gap_s": Number(SECONDS), "10 times the median of the steps", "a longer pause between rows is an error";
     LOG_NEAR_ORIGIN = "near_origin": Said("true, false"), "false", "as in way-points";

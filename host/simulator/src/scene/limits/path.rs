@@ -1,9 +1,9 @@
 //! The limits of a path, and of what rides on a motion.
 
 use super::{ALTITUDE_M, MAX_ACCELERATION, MAX_ANGULAR_RATE, MAX_SPEED, exceeds};
+use crate::course::HARMONICS;
 use crate::input::Complaint;
 use crate::number;
-use crate::scene::build::HARMONICS;
 use crate::scene::route::Peak;
 use crate::scene::{Scene, Trajectory};
 

@@ -2,18 +2,21 @@
 
 use super::path::{Lie, MOST_ROWS, Made, along, lie, made, unflyable};
 use super::points::{near_origin, radians, swapped};
+use super::{positions, thinned};
 use crate::course::Path;
 use crate::input::document::{Section, Value};
 use crate::input::{Complaint, InputError, Range, read_text};
 use crate::number;
 use crate::recording::table::{self, Column, Table};
+use crate::reference::Track;
 use crate::scene::keys::{motion, path as keys};
 use crate::scene::limits::ALTITUDE_M;
 use crate::scene::route::Origin;
 use crate::units::DEGREE;
 use schuler::earth::Geodetic;
 use schuler::solution::Euler;
-use schuler::trajectory::log::{Log, LogError, Noise, Part, compile, rows};
+use schuler::trajectory::log::{Log, LogError, Noise, Outcome, Part, compile, rows};
+use schuler::trajectory::piecewise::piece::Piece;
 use schuler::trajectory::piecewise::{Attitude, Piecewise};
 use schuler::trajectory::segment::attitude::AttitudeRule;
 use schuler::trajectory::spline::place::Pace;
@@ -106,14 +109,10 @@ pub fn read(root: &Section<'_>, scene: &str) -> Result<Made, InputError> {
         noise,
         max_gap_s,
     };
-    let room = count + EXTRA;
-    let (mut gram, mut factors) = (vec![[0.0; BAND]; room], vec![[0.0; BAND]; room]);
-    let mut right = vec![[0.0; 4]; room];
-    let (mut position, mut turning) = (right.clone(), right.clone());
-    let workspace = Workspace { gram: &mut gram, factors: &mut factors, right: &mut right };
-    let (path, outcome) =
-        compile(&rows, &log.times_s, workspace, &mut position, &mut turning).map_err(blame)?;
-    let pieces: Vec<_> = (0..path.pieces()).filter_map(|index| path.piece(index)).collect();
+    let (pieces, outcome) = match thinned::pieces_of(&rows) {
+        Some(pieces) => (pieces, Outcome::default()),
+        None => pieces(&rows).map_err(blame)?,
+    };
     if let Some(row) = pieces.iter().position(|piece| Pace::largest(piece).is_too_large()) {
         let Pace { speed_m_s, acceleration_m_s2 } = Pace::largest(&pieces[row]);
         let (speed, pull) = (number::short(speed_m_s), number::short(acceleration_m_s2));
@@ -131,6 +130,17 @@ pub fn read(root: &Section<'_>, scene: &str) -> Result<Made, InputError> {
     Ok(made(Path::Spline(Arc::new(path)), origin, attitude))
 }
 
+/// The pieces of a path by all rows.
+pub(super) fn pieces(rows: &Log<'_>) -> Result<(Vec<Piece<8>>, Outcome), LogError> {
+    let room = rows.times_s.len() + EXTRA;
+    let (mut gram, mut factors) = (vec![[0.0; BAND]; room], vec![[0.0; BAND]; room]);
+    let mut right = vec![[0.0; 4]; room];
+    let (mut position, mut turning) = (right.clone(), right.clone());
+    let workspace = Workspace { gram: &mut gram, factors: &mut factors, right: &mut right };
+    let (path, outcome) = compile(rows, rows.times_s, workspace, &mut position, &mut turning)?;
+    Ok(((0..path.pieces()).filter_map(|index| path.piece(index)).collect(), outcome))
+}
+
 /// The rows of the file that a table names.
 fn rows(section: &Section<'_>, scene: &str) -> Result<Rows, InputError> {
     let value = section.require(keys::FILE.name, keys::FILE.accepted())?;
@@ -139,7 +149,11 @@ fn rows(section: &Section<'_>, scene: &str) -> Result<Rows, InputError> {
     let file = folder.join(name).to_string_lossy().into_owned();
     let text =
         read_text(&file).map_err(|error| value.error(Complaint::new(error.to_string(), "")))?;
-    let table = table::parse(&file, &text, &COLUMNS).map_err(swapped)?;
+    let table = if Track::is_one(&text) {
+        positions::table(&Track::parse(&file, &text)?, COLUMNS.len())?
+    } else {
+        table::parse(&file, &text, &COLUMNS).map_err(swapped)?
+    };
     let missing = COLUMNS.iter().zip(&table.is_there).take(NEEDED).find(|(_, there)| !**there);
     if let Some((column, _)) = missing {
         let names: Vec<_> = COLUMNS.iter().map(|column| column.name).collect();

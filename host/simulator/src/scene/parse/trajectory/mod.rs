@@ -1,11 +1,14 @@
 //! The `[trajectory]` table: exactly one of channels, segments, way-points and a log, and what rides on it.
 
 mod channels;
+mod given;
 mod log;
 mod mount;
 mod path;
 mod points;
+mod positions;
 mod segments;
+mod thinned;
 mod waypoints;
 
 use crate::input::document::Section;
@@ -32,7 +35,7 @@ pub fn read(root: &Section<'_>, file: &str) -> Result<Trajectory, InputError> {
             return Ok(Trajectory { mounting, ..motion });
         }
         Kind::Segments => segments::read(&section)?,
-        Kind::Waypoints => waypoints::read(&section)?,
+        Kind::Waypoints => waypoints::read(&section, file)?,
         Kind::Log => log::read(&section, file)?,
     };
     let (path, route) = made;

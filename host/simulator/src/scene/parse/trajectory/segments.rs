@@ -7,7 +7,7 @@ use crate::input::key::Key;
 use crate::input::{Complaint, InputError, Range};
 use crate::number;
 use crate::scene::keys::{motion, path as keys};
-use crate::scene::route::Origin;
+use crate::scene::route::{Manoeuvres, Origin};
 use crate::units::DEGREE;
 use schuler::earth::Geodetic;
 use schuler::trajectory::piecewise::{Attitude, Piecewise};
@@ -20,7 +20,7 @@ use schuler::trajectory::segment::fault::Fault;
 use std::sync::Arc;
 
 /// Time of a blend that is not given, s.
-const BLEND_S: f64 = 4.0;
+pub const BLEND_S: f64 = 4.0;
 /// What is straight.
 pub const LINES: &[(&str, Line)] = &[("geodesic", Line::Geodesic), ("rhumb", Line::Rhumb)];
 const WAYS: &[(&str, Way)] =
@@ -65,7 +65,7 @@ pub fn read(section: &Section<'_>) -> Result<Made, InputError> {
     }
     let path = Piecewise::new(pieces, Attitude::Stored)
         .map_err(|error| list.error(Complaint::new(error.to_string(), "")))?;
-    let origin = Origin::Segments { start, rule, segments };
+    let origin = Origin::Segments(Manoeuvres { start, rule, segments });
     Ok(made(Path::Blend(Arc::new(path)), origin, attitude))
 }
 
@@ -206,7 +206,7 @@ fn refuse(table: &Section<'_>, fault: Fault) -> InputError {
 }
 
 /// A fault for people who write degrees.
-fn complaint(fault: Fault) -> Complaint {
+pub fn complaint(fault: Fault) -> Complaint {
     let short = number::short;
     match fault {
         Fault::TooTight { least_radius } => Complaint::new(

@@ -24,7 +24,7 @@ fn bits(v: Vector<f64>) -> [u64; 3] {
     v.map(f64::to_bits).into_array()
 }
 
-/// Every term, at its limit now and then.
+/// Every term.
 fn every_term(size: f64) -> SensorErrors {
     let axes = |x: f64| Some([x, 1.25 * x, 0.5 * x]);
     SensorErrors {
@@ -37,7 +37,8 @@ fn every_term(size: f64) -> SensorErrors {
         scale_factor: axes(1e-3),
         misalignment: axes(1e-3),
         g_sensitivity: axes(1e-3 * size),
-        saturation: axes(2.5 * size),
+        // Often on the first axis, on the others in jolts alone.
+        saturation: Some([1.6 * size, 10.0 * size, 10.0 * size]),
         // The last axis stays continuous.
         quantization: Some([1e-4 * size, 1e-3 * size, 0.0]),
     }
@@ -53,9 +54,10 @@ fn scene() -> Scene {
 fn perfect() -> Vec<Increment<f64>> {
     let sample = |n: usize| {
         let swing = (0.01 * n as f64).sin();
+        let jolt = if n % 500 == 7 { 100.0 } else { 1.0 };
         Increment {
-            angle_b: Vector::new(3e-3 * swing, -1e-3, 2e-3 * swing * swing),
-            velocity_b: Vector::new(0.05 * swing, 0.02, -0.0981),
+            angle_b: Vector::new(3e-3 * swing, -1e-3, 2e-3 * swing) * jolt,
+            velocity_b: Vector::new(0.05 * swing, 0.02, -0.0981) * jolt,
         }
     };
     (0..SAMPLES).map(sample).collect()
@@ -92,7 +94,8 @@ impl InLanes for EveryTerm {
             assert!((1..SAMPLES as u64).contains(saturated), "{saturated}");
         }
         assert_eq!(measured.len(), SAMPLES);
-        assert_ne!(runs[0], runs[N - 1]);
+        // Not the same run everywhere.
+        assert!(N == 1 || runs[0] != runs[N - 1]);
     }
 }
 

@@ -11,8 +11,7 @@ cd "$(dirname "$0")/.."
 has_qemu() { command -v qemu-system-arm >/dev/null && command -v qemu-system-riscv32 >/dev/null; }
 
 if ! has_qemu && [ -n "${CI:-}" ]; then
-    apt-get update -qq >/dev/null
-    apt-get install -y -qq --no-install-recommends qemu-system-arm qemu-system-misc >/dev/null
+    install qemu-system-arm qemu-system-misc
 fi
 if ! has_qemu; then
     echo "skipped: no QEMU (apt-get install qemu-system-arm qemu-system-misc)"

@@ -2,7 +2,6 @@
 # Counts instructions per sample with Callgrind and compares them with the stored ones.
 #   tests/instructions.sh           compares with tests/instructions.toml
 #   tests/instructions.sh --store   stores what is counted in its place
-#   tests/instructions.sh --runner  only builds Gungraun's runner, with CI set
 # Without Valgrind or Gungraun's runner it skips with a line that says so; with CI set it installs them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -15,14 +14,12 @@ export PATH="$tools/bin:$PATH"
 has_runner() { [ "$(gungraun-runner --version 2>/dev/null)" = "gungraun-runner $version" ]; }
 
 if [ -n "${CI:-}" ]; then
-    if [ "${1:-}" != --runner ] && ! command -v valgrind >/dev/null; then
-        apt-get update -qq >/dev/null
-        apt-get install -y -qq --no-install-recommends valgrind libc6-dbg >/dev/null
+    if ! command -v valgrind >/dev/null; then
+        install valgrind libc6-dbg
     fi
     has_runner || cargo install --quiet --locked --debug --root "$tools" \
         --target-dir "$tools/target" "gungraun-runner@$version"
 fi
-if [ "${1:-}" = --runner ]; then exit; fi
 if ! command -v valgrind >/dev/null; then
     echo "skipped: no valgrind (apt-get install valgrind)"
     exit 0

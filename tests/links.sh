@@ -62,10 +62,10 @@ done < <(git ls-files --cached --others --exclude-standard '*.md')
 [ "$files" -gt 0 ] || complain "no Markdown file"
 
 if [ "${1:-}" != --files ]; then
-    RUSTDOCFLAGS="${RUSTDOCFLAGS:-} -D rustdoc::broken-intra-doc-links -D rustdoc::private-intra-doc-links" \
-        cargo doc --workspace --no-deps --locked --quiet
-    RUSTDOCFLAGS="${RUSTDOCFLAGS:-} -D rustdoc::broken-intra-doc-links -D rustdoc::private-intra-doc-links" \
-        cargo doc --package schuler --features full --no-deps --locked --quiet
+    # Every warning of rustdoc counts, broken links among them.
+    export RUSTDOCFLAGS="${RUSTDOCFLAGS:-} -D warnings"
+    cargo doc --workspace --no-deps --locked --quiet
+    cargo doc --package schuler --features full --no-deps --locked --quiet
 fi
 [ "$broken" = 0 ] || exit 1
 echo "links: $files Markdown files, every relative link leads somewhere"

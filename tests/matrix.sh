@@ -15,10 +15,7 @@ has node || packages+=(nodejs)
 has llvm-objdump && has llvm-mc || packages+=(llvm)
 [ -x /usr/bin/rustc ] && [ -x /usr/bin/cargo ] && [ -d /usr/lib/rustlib/src/rust/library ] ||
     packages+=(rustc-web cargo-web rust-web-src)
-if [ ${#packages[@]} -gt 0 ] && has apt-get && [ "$(id -u)" = 0 ]; then
-    apt-get update -qq >/dev/null &&
-        apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null || true
-fi
+if [ ${#packages[@]} -gt 0 ]; then install "${packages[@]}" || true; fi
 
 tool schuler-tests matrix ${CI:+--require-all} "$@"
 tests/fused.sh "${CARGO_TARGET_DIR:-target}/audit/images" || {

@@ -4,6 +4,7 @@
 # nothing may be missing. SCHULER may name the program, built already.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. tests/target.sh
 
 packages=(mcap==1.6.0 mcap-ros2-support==0.6.0)
 tools=$(realpath -m "${CARGO_TARGET_DIR:-target}/tools/python")
@@ -11,8 +12,7 @@ has_packages() { "$tools/bin/python" -c 'import mcap, mcap_ros2' 2>/dev/null; }
 
 if ! has_packages; then
     if [ -n "${CI:-}" ] && ! python3 -c 'import ensurepip, venv' 2>/dev/null; then
-        apt-get update -qq >/dev/null
-        apt-get install -y -qq --no-install-recommends python3 python3-venv >/dev/null
+        install python3 python3-venv
     fi
     if ! { python3 -m venv "$tools" && "$tools/bin/pip" install --quiet "${packages[@]}"; }; then
         if [ -n "${CI:-}" ]; then

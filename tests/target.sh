@@ -10,7 +10,16 @@ bare_linker() {
     if [ -x "$own" ]; then echo "$own"; else command -v ld.lld; fi
 }
 
-# Installs what is missing, as far as this machine lets us.
+# install PACKAGE …: Debian's, as far as this machine lets us. Two stages at a time may ask for some.
+install() {
+    command -v apt-get >/dev/null && [ "$(id -u)" = 0 ] || return 1
+    (
+        flock 9
+        apt-get update -qq >/dev/null && apt-get install -y -qq --no-install-recommends "$@" >/dev/null
+    ) 9>"${TMPDIR:-/tmp}/schuler-install.lock"
+}
+
+# Prepares the compiler for a target.
 prepare_target() {
     if rustc --print target-libdir --target "$target" 2>/dev/null | xargs -r test -d 2>/dev/null; then
         return
@@ -18,10 +27,7 @@ prepare_target() {
     if command -v rustup >/dev/null && timeout 60 rustup target add "$target" >/dev/null 2>&1; then
         return
     fi
-    if [ ! -x /usr/bin/cargo ] && command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; then
-        apt-get update -qq >/dev/null &&
-            apt-get install -y -qq --no-install-recommends rustc-web cargo-web rust-web-src lld >/dev/null
-    fi
+    if [ ! -x /usr/bin/cargo ]; then install rustc-web cargo-web rust-web-src lld; fi
 }
 
 # skip_without_compiler STATUS: ends what cannot go on; without CI a missing compiler is said and passed over.

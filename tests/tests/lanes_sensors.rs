@@ -8,7 +8,7 @@ use schuler::noise::{Deviate, Stream};
 use schuler::record::Record;
 use schuler::sample::{Increment, Rates};
 use schuler_simulator::emulator::{self, SceneEmulator};
-use schuler_simulator::lanes::normal::{AT_ONCE, Lines};
+use schuler_simulator::lanes::drawn::{AT_ONCE, Lines};
 use schuler_simulator::lanes::one::One;
 use schuler_simulator::lanes::pack::Lanes;
 use schuler_simulator::lanes::sensors::{Sensors, in_lanes, same};

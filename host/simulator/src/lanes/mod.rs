@@ -5,6 +5,7 @@
 
 pub mod abreast;
 mod circle;
+pub mod drawn;
 mod logarithm;
 pub mod normal;
 pub mod one;

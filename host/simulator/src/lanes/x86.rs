@@ -1,8 +1,9 @@
 //! Four numbers in a 256-bit register, or eight in one of 512 bits.
 
 use super::circle;
+use super::drawn::{Deviates, Generator};
 use super::logarithm;
-use super::normal::{Deviates, Fill, Generator};
+use super::normal::Fill;
 use super::pack::{LANE, Lanes, Task};
 use super::sealed::Sealed;
 use super::stream::LaneStream;

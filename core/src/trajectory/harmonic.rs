@@ -233,10 +233,6 @@ fn turned<R: Real>(rate: R, time_s: Pair<R>) -> R {
 impl<R: Scalar, const N: usize> HarmonicTrajectory<R, N> {
     /// The motion at several times, one in each lane of a pack; `number` makes a pack of a number.
     #[inline(always)]
-    #[expect(
-        clippy::indexing_slicing,
-        reason = "every index is below the length of its array, a constant"
-    )]
     pub fn at_instants<P: Real>(&self, time_s: Pair<P>, number: impl Fn(R) -> P) -> Motion<P> {
         let (mut value, mut first, mut second) = ([P::ZERO; 6], [P::ZERO; 6], [P::ZERO; 6]);
         let channels = value.iter_mut().zip(&mut first).zip(self.offset.iter().zip(&self.rate));

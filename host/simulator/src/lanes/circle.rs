@@ -4,7 +4,7 @@
 use super::pack::Lanes;
 use super::words::Words;
 use schuler::math::real::Real;
-use std::f64::consts::FRAC_2_PI;
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
 /// π/2 = the sum of both; products of the first with a number of quarter turns are exact.
 const QUARTER: [f64; 2] = [1.570_796_326_734_125_6, 6.077_100_506_506_192e-11];
@@ -23,7 +23,7 @@ const FAR: f64 = f64::from_bits(0x4139_21fa_ffff_ffff);
 const CANCELLED: f64 = 1.0 / (1u64 << 16) as f64;
 /// With a larger remainder the nearest quarter turn is in doubt: the algorithm compares the upper half of the
 /// bits alone.
-const DOUBTFUL: f64 = 0.78539;
+const DOUBTFUL: f64 = FRAC_PI_4 - 1e-5;
 
 /// By rising powers of z = y², from y³/y and y⁴.
 const SINE: [f64; 6] = [

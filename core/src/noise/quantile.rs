@@ -2,37 +2,77 @@
 //! 477), PPND16 in double and PPND7 in single precision.
 //!
 //! Rational functions of the probability's distance from ½ in the centre, and of √(−ln p) in the
-//! tails.
+//! tails. What a deviate's word means is told at [`Deviate::normal`](super::Deviate::normal).
+//!
+//! ```
+//! use schuler::noise::quantile::double::{centre, tail};
+//!
+//! // At the border of centre and tail both are good.
+//! assert!((centre(0.425_f64) - tail(0.075_f64)).abs() < 1e-15);
+//! ```
 
 use crate::math::real::Real;
 
 /// Numerator and denominator, by falling powers.
-type Rational<R, const N: usize, const D: usize> = ([R; N], [R; D]);
+type Rational<C, const N: usize, const D: usize> = ([C; N], [C; D]);
 
-/// P(r)/Q(r), by Horner's rule.
-#[inline(always)]
-pub(super) fn ratio<R: Real, const N: usize, const D: usize>(table: &Rational<R, N, D>, r: R) -> R {
-    let horner = |coefficients: &[R]| {
-        let mut powers = coefficients.iter();
-        let first = powers.next().copied().unwrap_or(R::ZERO);
-        powers.fold(first, |sum, &c| sum * r + c)
-    };
-    horner(&table.0) / horner(&table.1)
+/// An entry of a table, as a number of the type in use. No closures here: packs are slow where one is not
+/// inlined.
+trait Entry<R>: Copy {
+    fn number(self) -> R;
 }
 
-/// PPND16: relative error about 1e-16.
+impl<R: Real> Entry<R> for f64 {
+    #[inline(always)]
+    fn number(self) -> R {
+        R::of(self)
+    }
+}
+
+impl Entry<f32> for f32 {
+    #[inline(always)]
+    fn number(self) -> f32 {
+        self
+    }
+}
+
+/// P(r)/Q(r).
+#[inline(always)]
+fn ratio<R: Real, C: Entry<R>, const N: usize, const D: usize>(
+    table: &Rational<C, N, D>,
+    r: R,
+) -> R {
+    horner(&table.0, r) / horner(&table.1, r)
+}
+
+/// A polynomial in r, by Horner's rule.
+#[inline(always)]
+fn horner<R: Real, C: Entry<R>>(coefficients: &[C], r: R) -> R {
+    let [first, rest @ ..] = coefficients else { return R::ZERO };
+    let mut sum = first.number();
+    for c in rest {
+        sum = sum * r + c.number();
+    }
+    sum
+}
+
+/// PPND16: relative error about 1e-16. Packs of runs have the bits of a single `f64`.
 #[allow(clippy::excessive_precision, reason = "the coefficients as published")]
-pub(super) mod double {
+pub mod double {
     use super::{Rational, Real, ratio};
 
-    /// Up to this distance of the probability from ½ the central approximation holds.
-    pub const CENTRE: f64 = 0.425;
+    /// Up to this distance of the probability from ½ the central approximation holds,
+    /// in units of a word, 0.425·2⁶⁴.
+    pub const CENTRE: i64 = (0.425 / UNIT) as i64;
 
-    /// The deviate at the distance q ≤ CENTRE of the probability from ½.
+    /// The unit of a word, 2⁻⁶⁴.
+    pub const UNIT: f64 = 1.0 / (1u128 << 64) as f64;
+
+    /// The deviate at the distance q ≤ 0.425 of the probability from ½.
     #[inline(always)]
-    pub fn centre(q: f64) -> f64 {
+    pub fn centre<R: Real>(q: R) -> R {
         // z = q P(r)/Q(r),  r = 0.425² − q²
-        q * ratio(&CENTRAL, 0.180625 - q * q)
+        q * ratio(&CENTRAL, R::of(0.180625) - q * q)
     }
 
     const CENTRAL: Rational<f64, 8, 8> = (
@@ -105,11 +145,13 @@ pub(super) mod double {
     );
 
     /// The deviate that is exceeded with probability p.
-    #[inline(never)]
-    pub fn tail(p: f64) -> f64 {
+    #[inline(always)]
+    pub fn tail<R: Real>(p: R) -> R {
         // r = √(−ln p)
-        let r = Real::sqrt(-Real::ln(p));
-        if r <= 5.0 { ratio(&TAIL, r - 1.6) } else { ratio(&FAR_TAIL, r - 5.0) }
+        let r = (-p.ln()).sqrt();
+        let near = ratio(&TAIL, r - R::of(1.6));
+        let far = R::of(5.0).less(r);
+        if R::any(far) { R::select(far, ratio(&FAR_TAIL, r - R::of(5.0)), near) } else { near }
     }
 }
 

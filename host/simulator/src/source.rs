@@ -1,14 +1,17 @@
 //! The stream of samples of a scene: true motion, perfect increments, sensor errors, link.
 
 pub use crate::course::Course;
-use crate::emulator::{self, SceneEmulator};
+use crate::emulator;
+use crate::lanes::one::One;
+use crate::lanes::pack::Lanes;
+use crate::lanes::sensors::{Sensors, Terms, same};
 use crate::lively;
 use crate::scene::Scene;
 use schuler::imu::{self, Quadrature};
 use schuler::math::compensated::Pair;
+use schuler::math::vector::Vector;
 use schuler::noise::{Stream, Streams};
 use schuler::sample::{Increment, Rates};
-use schuler::sensor::ErrorTerm;
 use schuler::sensor::parameter::ParameterError;
 use schuler::sensor::triad::Triad;
 use schuler::solution::Solution;
@@ -16,8 +19,7 @@ use schuler::trajectory::harmonic::CourseError;
 use schuler::trajectory::{Motion, Trajectory};
 use std::fmt;
 
-type SensorState = <Triad<f64> as ErrorTerm<f64>>::State;
-type EmulatorState = schuler::sensor::emulator::EmulatorState<SensorState, SensorState>;
+type EmulatorState = schuler::sensor::emulator::State<One, Triad<One>, Triad<One>>;
 
 /// A scene that the core cannot build.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +48,7 @@ pub struct Source {
     /// The quadrature of its rates.
     pub quadrature: Quadrature,
     /// The sensors; `None` where they are perfect.
-    pub emulator: Option<SceneEmulator>,
+    pub emulator: Option<Terms<One>>,
     rate_hz: f64,
     seed: u64,
     loss: f64,
@@ -71,7 +73,7 @@ impl Source {
         let emulator = if perfect && !force_all {
             None
         } else {
-            Some(emulator::build(scene).map_err(SourceError::Sensor)?)
+            Some(emulator::build(scene).map_err(SourceError::Sensor)?.map(One))
         };
         let still = bandwidth == 0.0 && scene.link.jitter_s == 0.0 && !force_all;
         let constant = still.then(|| course.sample(quadrature, 1, scene.rate_hz));
@@ -137,6 +139,12 @@ impl Source {
         self.constant.unwrap_or_else(|| self.course.increment(self.quadrature, from_s, to_s))
     }
 
+    /// Starts the sensors of run `first` and of those after it, one in each lane; `None` where they are
+    /// perfect.
+    pub fn start_lanes<P: Lanes<N>, const N: usize>(&self, first: u64) -> Option<Sensors<P, N>> {
+        self.emulator.as_ref().map(|terms| Sensors::start(terms, self.seed, first))
+    }
+
     /// Starts the stream of one run.
     pub fn start(&self, run: u64) -> Samples<'_> {
         let link = Streams::new(self.seed, run).branch(Streams::LINK);
@@ -149,6 +157,18 @@ impl Source {
             end_s: 0.0,
         }
     }
+}
+
+/// What sensors make of a perfect increment.
+#[inline]
+pub fn emulate(
+    emulator: &Terms<One>,
+    state: &mut EmulatorState,
+    perfect: &Increment<f64>,
+) -> Increment<f64> {
+    let read = emulator.emulate(state, &same(perfect));
+    let plain = |v: Vector<One>| v.map(|One(x)| x);
+    Increment { angle_b: plain(read.angle_b), velocity_b: plain(read.velocity_b) }
 }
 
 /// The samples of one run, in order and without end.
@@ -185,7 +205,7 @@ impl Samples<'_> {
     /// that loses or delays samples is not asked.
     pub fn sense(&mut self, perfect: &Increment<f64>) -> Increment<f64> {
         match (&self.source.emulator, &mut self.state) {
-            (Some(emulator), Some(state)) => emulator.emulate(state, perfect),
+            (Some(emulator), Some(state)) => emulate(emulator, state, perfect),
             _ => *perfect,
         }
     }
@@ -199,7 +219,16 @@ impl Samples<'_> {
             self.source.rates(self.sample)
         };
         if let (Some(emulator), Some(state)) = (&self.source.emulator, &mut self.state) {
-            rates = emulator.emulate_rates(state, &rates);
+            let Rates { rate_ib_b, specific_force_b } = emulator.emulate_rates(
+                state,
+                &Rates {
+                    rate_ib_b: rates.rate_ib_b.map(One),
+                    specific_force_b: rates.specific_force_b.map(One),
+                },
+            );
+            let plain = |v: Vector<One>| v.map(|One(x)| x);
+            rates =
+                Rates { rate_ib_b: plain(rate_ib_b), specific_force_b: plain(specific_force_b) };
         }
         self.arrives().then_some(rates)
     }

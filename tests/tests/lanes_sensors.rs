@@ -43,7 +43,8 @@ fn every_term(size: f64) -> SensorErrors {
         temperature_scale: axes(1e-4),
         // It ends within a sample of the run.
         temperature: Some(Temperature { offset_k: 5.0, rate_k_s: 0.3, until_s: 12.345 }),
-        bandwidth: axes(30.0),
+        // On the last axis noise passes, or it would never leave its limit.
+        bandwidth: Some([30.0, 40.0, 1e4]),
         latency: axes(0.021),
         saturation: axes(2.5 * size),
         // The last axis stays continuous.

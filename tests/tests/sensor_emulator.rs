@@ -136,7 +136,8 @@ fn single_precision_emulates_the_same_sensors() {
         let off = a.angle_b.zip(b.angle_b, |a, b| f64::from(a) - b).norm();
         assert!(off < 2e-8, "{off:e} of {:e}", (b.angle_b - perfect.angle_b).norm());
         let off = a.velocity_b.zip(b.velocity_b, |a, b| f64::from(a) - b).norm();
-        assert!(off < 5e-7, "{off:e} of {:e}", (b.velocity_b - perfect.velocity_b).norm());
+        // Sixteen terms round a sum of 2 m/s by 1.2e-7 at most each, of either sign.
+        assert!(off < 8e-7, "{off:e} of {:e}", (b.velocity_b - perfect.velocity_b).norm());
     }
 }
 

@@ -29,6 +29,9 @@ fn close(value: f64, expected: f64, size: f64, what: &str) {
     assert!((value - expected).abs() <= 2e-3 * size, "{what}: {value} is not {expected}");
 }
 
+/// The mean rate of the first sample: the emulator takes it for that of before.
+const FIRST: f64 = AMPLITUDE * TURN * TURN * 0.5 / 200.0;
+
 /// What the gyros read too much along forward up to a time, and theory's attitude error about north, which it is.
 fn read_and_expected(scene: &Scene, time_s: f64) -> [f64; 2] {
     let source = Source::new(scene, false).unwrap();
@@ -55,7 +58,7 @@ fn a_late_gyro_is_off_by_what_was_turned_since() {
     }
     for t in TIMES {
         let [read, expected] = read_and_expected(&scene, t);
-        close(read, expected, size, "latency, read");
+        close(read, expected + delay_s * FIRST, size, "latency, read");
     }
 }
 
@@ -76,7 +79,7 @@ fn a_slow_gyro_is_off_by_its_lag_times_its_rate() {
     for t in TIMES {
         close(theory.at(t).mean.attitude_ned.x, -lag_s * y(t), size, "bandwidth");
         let [read, expected] = read_and_expected(&scene, t);
-        close(read, expected, size, "bandwidth, read");
+        close(read, expected + lag_s * FIRST, size, "bandwidth, read");
     }
 }
 

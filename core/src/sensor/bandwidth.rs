@@ -25,7 +25,7 @@
 //! };
 //! // A step is followed by e^{−t/T}, T = 8 ms.
 //! assert_eq!(read(0.0), 0.0);
-//! assert!((read(1.0) - 0.4310).abs() < 1e-4 && (read(1.0) - 0.8381).abs() < 1e-4);
+//! assert!((read(1.0) - 0.4307).abs() < 1e-4 && (read(1.0) - 0.8380).abs() < 1e-4);
 //! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
 //! ```
 

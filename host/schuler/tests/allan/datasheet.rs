@@ -110,9 +110,10 @@ fn a_scene_takes_the_same_units() {
     let [own, sheet] = ["angle_random_walk_deg_sqrt_h = 0.3", "noise_density_mdps_sqrt_hz = 5"]
         .map(|gyro| scene(gyro).unwrap().gyro.white.unwrap()[0]);
     assert!((own / sheet - 1.0).abs() < 1e-14, "{own} {sheet}");
-    let errors = scene("cross_axis_percent = [1, 2, 3]\nfull_scale_deg_s = 100\noffset_percent_fs = 2")
-        .unwrap()
-        .gyro;
+    let errors =
+        scene("cross_axis_percent = [1, 2, 3]\nfull_scale_deg_s = 100\noffset_percent_fs = 2")
+            .unwrap()
+            .gyro;
     let expected = [[0.0, 0.01, 0.01], [0.02, 0.0, 0.02], [0.03, 0.03, 0.0]];
     assert_eq!(errors.misalignment_matrix, Some(expected));
     let offset = errors.constant.unwrap()[0];

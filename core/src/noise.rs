@@ -196,16 +196,7 @@ impl Deviate for f32 {
 
     #[inline]
     fn normal(word: u32) -> f32 {
-        const UNIT: f32 = 1.0 / (1u64 << 32) as f32;
-        const CENTRE: i32 = (single::CENTRE / UNIT) as i32;
-        let k = (word & (u32::MAX >> 1)) as i32;
-        // Branching on the integer lets the processor detect a misprediction early.
-        let z = if k < CENTRE {
-            single::centre((k as f32 + 0.5) * UNIT)
-        } else {
-            single::tail(((i32::MAX - k) as f32 + 0.5) * UNIT)
-        };
-        f32::from_bits(z.to_bits() | (word & (1 << 31)))
+        single::normal(word)
     }
 
     #[inline]

@@ -11,7 +11,7 @@
 //! | `steps`, `plan`, `runge_kutta` | what steps leave out, what the plan chooses, the yardstick |
 //! | `drift`, `error_dynamics` | solution less truth, and its linear model |
 //! | `theory`, `theory_…`, `ensemble` | what theory expects, and how runs scatter |
-//! | `lanes`, `lanes_sensors` | runs abreast, and their sensors |
+//! | `lanes`, `lanes_sensors`, `lanes_truth` | runs abreast, their sensors, samples of a flight side by side |
 //! | `paths` | splines, way-points, logs |
 //! | `link` | frames, and the application at their end |
 //! | `allan` | the Allan variance, and its degrees of freedom |
@@ -30,6 +30,7 @@ mod foundation;
 mod functions;
 mod lanes;
 mod lanes_sensors;
+mod lanes_truth;
 mod link;
 mod matrix;
 mod paths;

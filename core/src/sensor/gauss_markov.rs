@@ -177,12 +177,13 @@ impl<R: Random> ErrorTerm<R> for GaussMarkov<R> {
     #[inline(always)]
     fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
         let GaussMarkovState { bias, streams } = state;
-        let outputs = reading.increment.each_mut().into_iter().zip(bias.each_mut());
-        for ((output, bias), (process, stream)) in
-            outputs.zip(self.axes.iter().zip(streams.each_mut()))
-        {
-            *output = *output + process.advance(bias, stream);
-        }
+        let ([x, y, z], [along_x, along_y, along_z]) = (streams.each_mut(), &self.axes);
+        let integral = Vector {
+            x: along_x.advance(&mut bias.x, x),
+            y: along_y.advance(&mut bias.y, y),
+            z: along_z.advance(&mut bias.z, z),
+        };
+        reading.increment = reading.increment + integral;
     }
 }
 

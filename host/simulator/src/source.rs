@@ -18,6 +18,10 @@ use schuler::solution::Solution;
 use schuler::trajectory::harmonic::CourseError;
 use schuler::trajectory::{Motion, Trajectory};
 use std::fmt;
+use std::ops::Range;
+
+/// Samples that are worked out at once where one run asks for one after the other.
+const AT_ONCE: u64 = 64;
 
 type EmulatorState = schuler::sensor::emulator::State<One, Triad<One>, Triad<One>>;
 
@@ -134,6 +138,16 @@ impl Source {
         self.constant.unwrap_or_else(sampled)
     }
 
+    /// The perfect increments of samples of these numbers, from 1.
+    pub fn perfect_samples(&self, numbers: Range<u64>) -> Vec<Increment<f64>> {
+        let still = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
+        let mut increments = vec![self.constant.unwrap_or(still); numbers.clone().count()];
+        if self.constant.is_none() {
+            self.course.samples(self.quadrature, numbers.start, self.rate_hz, &mut increments);
+        }
+        increments
+    }
+
     /// The perfect increment between two times, s.
     pub fn perfect(&self, from_s: f64, to_s: f64) -> Increment<f64> {
         self.constant.unwrap_or_else(|| self.course.increment(self.quadrature, from_s, to_s))
@@ -153,6 +167,8 @@ impl Source {
             state: self.emulator.as_ref().map(|emulator| emulator.start(self.seed, run)),
             loss: link.branch(0).open(),
             jitter: link.branch(1).open(),
+            ahead: Vec::new(),
+            from: 0,
             sample: 0,
             end_s: 0.0,
         }
@@ -177,6 +193,9 @@ pub struct Samples<'a> {
     state: Option<EmulatorState>,
     loss: Stream,
     jitter: Stream,
+    /// Perfect increments that were worked out at once, and the number of the first.
+    ahead: Vec<Increment<f64>>,
+    from: u64,
     sample: u64,
     /// When the last sample's interval really ended, s.
     end_s: f64,
@@ -195,10 +214,24 @@ impl Samples<'_> {
         let perfect = if self.source.jitter_s > 0.0 {
             self.source.perfect(from_s, self.end_s)
         } else {
-            self.source.perfect_sample(self.sample)
+            self.perfect()
         };
         let increment = self.sense(&perfect);
         (perfect, self.arrives().then_some(increment))
+    }
+
+    /// The perfect increment of this sample.
+    fn perfect(&mut self) -> Increment<f64> {
+        if self.source.is_constant() || !self.source.course.is_for_lanes() {
+            return self.source.perfect_sample(self.sample);
+        }
+        let ahead = usize::try_from(self.sample - self.from).ok();
+        if let Some(increment) = ahead.and_then(|place| self.ahead.get(place)) {
+            return *increment;
+        }
+        self.from = self.sample;
+        self.ahead = self.source.perfect_samples(self.sample..self.sample + AT_ONCE);
+        self.ahead[0]
     }
 
     /// What the sensors make of the next sample's perfect increment, which runs may share: a link

@@ -24,15 +24,13 @@ pub fn stages(scene: &Scene, source: &Source, navigator: &dyn Navigate) -> Stage
 
 /// The first perfect increments.
 pub fn perfect(source: &Source, samples: u64) -> Vec<Increment<f64>> {
-    (1..=samples).map(|n| source.perfect_sample(n)).collect()
+    source.perfect_samples(1..samples + 1)
 }
 
 /// Truth and perfect increments.
 pub fn trajectory(source: &Source, samples: u64) -> f64 {
     per_sample(samples, &mut || {
-        for n in 1..=samples {
-            black_box(source.perfect_sample(n));
-        }
+        black_box(source.perfect_samples(1..samples + 1));
     })
 }
 

@@ -61,7 +61,7 @@ pub fn fly(
     let mut done = 0;
     while let Some(&stop) = stops.peek() {
         let end = stop.min(done + STRETCH);
-        let perfect: Vec<_> = (done..end).map(|n| ground.source.perfect_sample(n + 1)).collect();
+        let perfect = ground.source.perfect_samples(done + 1..end + 1);
         // Navigation lies behind by what a window looks ahead.
         let integrated = groups.iter().map(|group| group.integrated()).max().unwrap_or(done);
         let held = (ground.scene.navigator.vertical == Vertical::Held)

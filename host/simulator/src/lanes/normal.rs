@@ -3,29 +3,13 @@
 //! The centre of the distribution is computed for every word. The words of the tails, a logarithm and a
 //! root dearer, are gathered first: they are 15 of 100.
 
+use super::drawn::{AT_ONCE, Deviates, Drawn, Generator, Lines};
 use super::pack::{Lanes, Task};
 use super::words::Words;
 use super::{InLanes, Registers, in_registers};
 use schuler::noise::Deviate;
 use schuler::noise::quantile::double::{CENTRE, UNIT, centre, tail};
 use std::marker::PhantomData;
-
-/// How many deviates are made at once, of all lanes together.
-pub const AT_ONCE: usize = 256;
-
-/// As many things, in whole lines of the cache.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C, align(64))]
-pub struct Lines<T>(pub [T; AT_ONCE]);
-
-/// Words.
-pub type Drawn = Lines<u64>;
-
-/// Deviates, in the order of the words.
-pub type Deviates = Lines<f64>;
-
-/// The states of the generators of all lanes, xoshiro256++.
-pub type Generator<const N: usize> = [[u64; N]; 4];
 
 /// Every bit but the sign.
 const BELOW_SIGN: u64 = u64::MAX >> 1;

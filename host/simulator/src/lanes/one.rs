@@ -1,6 +1,7 @@
 //! One run as a pack: the bits of `f64`, and random numbers that are made many at a time in lanes.
 
-use super::normal::{Deviates, Generator, draw, transform_any};
+use super::drawn::{Deviates, Generator};
+use super::normal::{draw, transform_any};
 use super::pack::{Lanes, Task};
 use super::sealed::Sealed;
 use super::stream::LaneStream;

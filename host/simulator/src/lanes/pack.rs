@@ -3,7 +3,7 @@
 //! Every lane has the result of a single `f64`, bit for bit: IEEE 754 determines the operations, and functions
 //! are those of `f64`.
 
-use super::normal::{Deviates, Generator};
+use super::drawn::{Deviates, Generator};
 use super::sealed::Sealed;
 use super::words::Words;
 use schuler::noise::random::Random;

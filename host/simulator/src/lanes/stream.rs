@@ -1,6 +1,6 @@
 //! A stream in each lane, ahead of what was drawn: deviates are made many at a time.
 
-use super::normal::{AT_ONCE, Deviates, Generator, Lines};
+use super::drawn::{AT_ONCE, Deviates, Generator, Lines};
 use super::pack::{LANE, Lanes};
 use schuler::noise::{Stream, Streams};
 use schuler::record::Record;

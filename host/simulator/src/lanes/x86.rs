@@ -1,7 +1,9 @@
 //! Four numbers in a 256-bit register, or eight in one of 512 bits.
 
+use super::circle;
+use super::drawn::{Deviates, Generator};
 use super::logarithm;
-use super::normal::{Deviates, Fill, Generator};
+use super::normal::Fill;
 use super::pack::{LANE, Lanes, Task};
 use super::sealed::Sealed;
 use super::stream::LaneStream;
@@ -51,7 +53,8 @@ macro_rules! register {
         pub(super) struct $name($register);
 
         impl $name {
-            /// At compile time; an array has the register's bytes.
+            /// Also at compile time; an array has the register's bytes.
+            #[inline(always)]
             const fn all(x: f64) -> Self {
                 // SAFETY: so many f64 and their register have the same size, and any bits are valid.
                 Self(unsafe { std::mem::transmute::<[f64; $n], $register>([x; $n]) })
@@ -178,10 +181,9 @@ macro_rules! register {
             fn ratio(numerator: i128, denominator: i128) -> Self {
                 Self::of(f64::ratio(numerator, denominator))
             }
+            #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                let both = self.lanes().map(Real::sin_cos);
-                let part = |f: fn((f64, f64)) -> f64| Self::from_lanes(both.map(f));
-                (part(|(sine, _)| sine), part(|(_, cosine)| cosine))
+                circle::sin_cos(self)
             }
             fn atan2(self, x: Self) -> Self {
                 let (y, x) = (self.lanes(), x.lanes());

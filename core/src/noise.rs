@@ -46,6 +46,8 @@ impl Streams {
     pub const ACCELEROMETER: u64 = 1;
     /// Branch of the root that belongs to the link: loss, jitter.
     pub const LINK: u64 = 2;
+    /// Branch of the root that belongs to the start of navigation: its random errors.
+    pub const START: u64 = 3;
 
     /// The root.
     pub fn new(seed: u64, run: u64) -> Self {

@@ -36,10 +36,15 @@ fn alone(scene: &Scene, run: u64) -> Vec<Drift> {
     let source = Source::new(scene, false).unwrap();
     let ground = Ground::new(scene, &source);
     let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
-    let mut navigator =
-        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial)
-            .unwrap();
-    let mut drifts = vec![drift(&ground.initial, &source.truth(0))];
+    let mut navigator = navigator::start(
+        &scene.navigator,
+        plan.window,
+        plan.order,
+        interval_s,
+        &ground.initial(run),
+    )
+    .unwrap();
+    let mut drifts = vec![drift(&ground.initial(run), &source.truth(0))];
     let mut read = |n: u64, row: &_| {
         assert_eq!(n, drifts.len() as u64);
         drifts.push(drift(row, &source.truth(n)));
@@ -85,9 +90,14 @@ fn held_alone(scene: &Scene, run: u64) -> HashMap<u64, [u64; 9]> {
     let source = Source::new(scene, false).unwrap();
     let ground = Ground::new(scene, &source);
     let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
-    let mut navigator =
-        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial)
-            .unwrap();
+    let mut navigator = navigator::start(
+        &scene.navigator,
+        plan.window,
+        plan.order,
+        interval_s,
+        &ground.initial(run),
+    )
+    .unwrap();
     let mut ends = HashMap::new();
     let mut stream = source.start(run);
     for _ in 0..scene.samples() {

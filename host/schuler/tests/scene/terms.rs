@@ -63,7 +63,7 @@ fn every_field_is_in_the_table() {
     // What reads a field and what sets it are the same field.
     for term in TERMS {
         let mut errors = SensorErrors::default();
-        (term.set)(&mut errors, values(term));
+        (term.set)(&mut errors, Some(values(term)));
         assert_eq!((term.values)(&errors), Some(values(term)), "{}", term.name);
     }
 }

@@ -120,7 +120,7 @@ fn one(
     for term in TERMS {
         let Some(key) = [term.gyro, term.accelerometer][triad] else { continue };
         if let Some(value) = section.get(key.key) {
-            (term.set)(&mut errors, term.read(&value)?.map(|x| x * key.unit));
+            (term.set)(&mut errors, Some(term.read(&value)?.map(|x| x * key.unit)));
         }
     }
     for entry in in_order(triad) {

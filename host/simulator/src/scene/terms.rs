@@ -59,8 +59,8 @@ pub struct Term {
     pub is_matrix: bool,
     /// Its values, in SI.
     pub values: fn(&SensorErrors) -> Option<Values>,
-    /// Sets them.
-    pub set: fn(&mut SensorErrors, Values),
+    /// Sets them, or takes them away.
+    pub set: fn(&mut SensorErrors, Option<Values>),
     /// Gives it to the core's sensors.
     pub build: Build,
     /// What linear theory makes of it.
@@ -145,7 +145,7 @@ macro_rules! terms {
             range: $range,
             is_matrix: terms!(@ is_matrix $shape),
             values: |errors| errors.$field.map(Values::$shape),
-            set: |errors, values| errors.$field = Some(terms!(@ take $shape values)),
+            set: |errors, values| errors.$field = values.map(|values| terms!(@ take $shape values)),
             build: |triad, values, _conditions| {
                 let x = terms!(@ take $shape values).into();
                 triad.$slot = Some($term::new(x $(, _conditions.$argument)*)?);

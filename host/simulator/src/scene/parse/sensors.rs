@@ -63,7 +63,7 @@ fn sensor(
     for term in TERMS {
         let Some(Key { key, unit, .. }) = key_of(term) else { continue };
         if let Some(value) = section.get(key) {
-            (term.set)(&mut errors, term.read(&value)?.map(|x| x * unit));
+            (term.set)(&mut errors, Some(term.read(&value)?.map(|x| x * unit)));
         }
     }
     datasheet::read_units(&section, triad, &mut errors)?;

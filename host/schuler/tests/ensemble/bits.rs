@@ -234,3 +234,23 @@ fn saturated_samples_are_counted_over_all_runs() {
         assert_eq!(fly(&scene, unit, 2).unwrap().saturated, 200 * RUNS, "{unit:?}");
     }
 }
+
+#[test]
+fn saturated_samples_of_runs_that_fail_are_counted_alike_in_every_unit() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("turns.toml");
+    // Gravity alone is beyond the limit, in every sample.
+    let text =
+        super::TURNS.replace("[navigator]", "[accelerometer]\nsaturation_g = 0.1\n[navigator]");
+    std::fs::write(&file, text).unwrap();
+    let scene = scene::load(file.to_str().unwrap()).unwrap();
+    let source = Source::new(&scene, false).unwrap();
+    let ground = Ground::new(&scene, &source);
+    for &unit in Unit::ALL {
+        let flown = fleet::fly(&ground, 37, unit, 2, 3, &|_| {}).unwrap();
+        let failed = flown.failed.len() as u64;
+        assert!(failed > 1, "{unit:?}");
+        let taken: u64 = flown.failed.iter().map(|failure| failure.sample).sum();
+        assert_eq!(flown.saturated, (37 - failed) * scene.samples() + taken, "{unit:?}");
+    }
+}

@@ -217,3 +217,34 @@ fn what_theory_does_not_know_is_not_comparable() {
         assert!(text.contains("not comparable") && text.contains(words), "{text}");
     }
 }
+
+#[test]
+fn a_run_of_an_ensemble_is_flown_again_by_its_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "duration_s = 30\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\nroll_deg = 3\n\
+        [gyro]\nangle_random_walk_deg_sqrt_h = 0.1\n\
+        [initial_error]\neast_m_sigma = 7\nattitude_north_arcsec_sigma = 60\n";
+    fs::write(folder.path().join("drawn.toml"), scene).unwrap();
+    let done = ensemble(folder.path(), "drawn.toml --runs 9 --keep --out o");
+    assert_eq!(done.status.code(), Some(0), "{done:?}");
+    let runs = fs::read_to_string(folder.path().join("o/runs.csv")).unwrap();
+    for number in [0, 5, 8] {
+        let mut run = Command::new(env!("CARGO_BIN_EXE_schuler"));
+        let line = format!("run drawn.toml --run {number} --no-report --out r{number}");
+        run.current_dir(folder.path()).args(line.split_whitespace());
+        assert!(run.output().unwrap().status.success(), "{line}");
+        let drift = fs::read_to_string(folder.path().join(format!("r{number}/drift.csv"))).unwrap();
+        let last: Vec<_> = drift.lines().last().unwrap().split(',').take(10).collect();
+        let kept = format!("{number},{}", last.join(","));
+        assert!(runs.lines().any(|row| row == kept), "{kept}");
+    }
+    // Without a number it is the first.
+    let mut run = Command::new(env!("CARGO_BIN_EXE_schuler"));
+    let line = "run drawn.toml --no-report --out again";
+    run.current_dir(folder.path()).args(line.split_whitespace());
+    assert!(run.output().unwrap().status.success());
+    let [first, again] = ["r0", "again"]
+        .map(|name| fs::read_to_string(folder.path().join(name).join("drift.csv")).unwrap());
+    assert_eq!(first, again);
+    assert_ne!(first, fs::read_to_string(folder.path().join("r5/drift.csv")).unwrap());
+}

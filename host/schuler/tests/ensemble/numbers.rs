@@ -246,3 +246,26 @@ fn nees_is_calibrated_and_finds_ten_percent() {
         .count();
     assert!(less >= 99, "{less}");
 }
+
+#[test]
+fn what_theory_cannot_resolve_with_so_many_runs_is_left_out() {
+    // A second state of which the first leaves a thousandth: theory's 1e-5 is 1 % of that, beside a scatter of √(2/n).
+    let own: f64 = 1e-3;
+    let correlation = (1.0 - own).sqrt();
+    let mut matrix = Matrix::default();
+    (matrix[0][0], matrix[1][1]) = (1.0, 1.0);
+    (matrix[0][1], matrix[1][0]) = (correlation, correlation);
+    let tested = std::array::from_fn(|i| i < 2);
+    let states = |runs: u64| {
+        let mut stream = deviates(3);
+        let numbers = (0..runs).map(|_| {
+            let [a, b]: [f64; 2] = std::array::from_fn(|_| stream.normal());
+            let mut x = [0.0; 9];
+            (x[0], x[1]) = (a, correlation * a + own.sqrt() * b);
+            x
+        });
+        let values = Values { runs: (0..runs).collect(), numbers: numbers.collect() };
+        Consistency::new(1.0, 1, &values, &[0.0; 9], &matrix, &tested).map(|found| found.states)
+    };
+    assert_eq!((states(1000), states(4000)), (Some(2), None));
+}

@@ -30,12 +30,10 @@ pub(super) fn in_all(
         }
         stream.saturated()
     };
-    let of_group = |(group, runs): (&Box<dyn Group + '_>, &Range<u64>)| match failed
-        .iter()
-        .any(|failure| runs.contains(&failure.run))
-    {
+    let has_failed = |runs: &Range<u64>| failed.iter().any(|failure| runs.contains(&failure.run));
+    let of_groups = groups.iter().zip(ranges).map(|(group, runs)| match has_failed(runs) {
         true => runs.clone().map(once_more).sum(),
         false => group.saturated(),
-    };
-    groups.iter().zip(ranges).map(of_group).sum()
+    });
+    of_groups.sum()
 }

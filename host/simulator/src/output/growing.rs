@@ -54,11 +54,12 @@ impl GrowingFile {
                 }
             };
             file.write_all(bytes)?;
-            file.sync_data()
+            file.sync_data()?;
+            // Before a signal that waits is heeded.
+            stop::leave(left);
+            Ok(())
         };
-        stop::undisturbed(append).map_err(|error| fault(path, &error))?;
-        stop::leave(left);
-        Ok(())
+        stop::undisturbed(append).map_err(|error| fault(path, &error))
     }
 
     /// Takes the file away: it has served.

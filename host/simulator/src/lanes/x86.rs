@@ -1,12 +1,8 @@
 //! Four numbers in a 256-bit register, or eight in one of 512 bits.
 
-use super::circle;
 use super::drawn::{Deviates, Generator};
-use super::logarithm;
-use super::normal::Fill;
 use super::pack::{LANE, Lanes, Task};
-use super::sealed::Sealed;
-use super::stream::LaneStream;
+use super::{circle, logarithm, normal::Fill, sealed::Sealed, stream::LaneStream};
 use schuler::math::real::Real;
 use schuler::math::twin::Both;
 use schuler::noise::Streams;
@@ -105,8 +101,7 @@ macro_rules! register {
                 fn here<T: Task>(task: T) -> T::Output {
                     task.run()
                 }
-                // SAFETY: it needs these features and nothing else, and `in_registers` asked for them all
-                // (`Registers::are_there`).
+                // SAFETY: it needs these features alone, which `Registers::are_there` asked for.
                 unsafe { here(task) }
             }
         }

@@ -88,7 +88,7 @@ const CROSS: &str = "each sensor is taken to feel so much of both other axes, wi
 const WARM: &str = "[temperature] of the scene says how warm it is";
 const STEPS: &str = "a step of the rate, held for a sample, is taken for a step of the increments";
 
-/// Keys of [gyro]. The steps of an output are per sample, and have to be multiplied by its length.
+/// Keys of `[gyro]`. The steps of an output are per sample, and have to be multiplied by its length.
 pub const GYRO: &[Entry] = entries! {
     "noise_density_deg_s_sqrt_hz" = DEGREE, "angle_random_walk_deg_sqrt_h" white SIZE "";
     "noise_density_mdps_sqrt_hz" = 1e-3 * DEGREE, "angle_random_walk_deg_sqrt_h" white SIZE "";
@@ -116,7 +116,7 @@ pub const GYRO: &[Entry] = entries! {
     "resolution_deg_s" = DEGREE, "quantization_arcsec" quantization LIMIT STEPS;
 };
 
-/// Keys of [accelerometer].
+/// Keys of `[accelerometer]`.
 pub const ACCELEROMETER: &[Entry] = entries! {
     "noise_density_ug_sqrt_hz" = MICRO_G, "velocity_random_walk_m_s_sqrt_h" white SIZE "";
     "noise_density_mg_sqrt_hz" = 1e3 * MICRO_G, "velocity_random_walk_m_s_sqrt_h" white SIZE "";

@@ -7,14 +7,14 @@ use schuler::record::Record;
 use schuler::sample::{Increment, Rates};
 use schuler::sensor::bandwidth::Bandwidth;
 use schuler::sensor::constant::Constant;
-use schuler::sensor::cross_axis::CrossAxis;
 use schuler::sensor::emulator::Emulator;
 use schuler::sensor::flicker::Flicker;
-use schuler::sensor::g_coupling::GCoupling;
 use schuler::sensor::g_sensitivity::GSensitivity;
+use schuler::sensor::g_sensitivity_matrix::GSensitivityMatrix;
 use schuler::sensor::gauss_markov::GaussMarkov;
 use schuler::sensor::latency::Latency;
 use schuler::sensor::misalignment::Misalignment;
+use schuler::sensor::misalignment_matrix::MisalignmentMatrix;
 use schuler::sensor::quantization::Quantization;
 use schuler::sensor::random_walk::RandomWalk;
 use schuler::sensor::saturation::Saturation;
@@ -110,8 +110,10 @@ fn noisy<R: Deviate>() -> Emulator<R, Triad<R>, Triad<R>> {
         scale_factor: Some(ScaleFactor::new(all(1e-3)).unwrap()),
         misalignment: Some(Misalignment::new(all(1e-3)).unwrap()),
         g_sensitivity: Some(GSensitivity::new(all(1e-5)).unwrap()),
-        cross_axis: Some(CrossAxis::new(matrix).unwrap()),
-        g_coupling: Some(GCoupling::new(matrix.map(|x| x * R::of(1e-2))).unwrap()),
+        misalignment_matrix: Some(MisalignmentMatrix::new(matrix).unwrap()),
+        g_sensitivity_matrix: Some(
+            GSensitivityMatrix::new(matrix.map(|x| x * R::of(1e-2))).unwrap(),
+        ),
         temperature_bias: Some(TemperatureBias::new(all(1e-5), ramp, timing).unwrap()),
         temperature_scale: Some(TemperatureScale::new(all(1e-5), ramp).unwrap()),
         bandwidth: Some(Bandwidth::new(all(4.0), timing).unwrap()),

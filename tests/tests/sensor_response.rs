@@ -5,11 +5,11 @@ use schuler::math::vector::Vector;
 use schuler::noise::Streams;
 use schuler::sample::Increment;
 use schuler::sensor::bandwidth::Bandwidth;
-use schuler::sensor::cross_axis::CrossAxis;
 use schuler::sensor::emulator::Emulator;
-use schuler::sensor::g_coupling::GCoupling;
+use schuler::sensor::g_sensitivity_matrix::GSensitivityMatrix;
 use schuler::sensor::latency::{LONGEST, Latency};
 use schuler::sensor::misalignment::Misalignment;
+use schuler::sensor::misalignment_matrix::MisalignmentMatrix;
 use schuler::sensor::parameter::{Fault, Parameter, ParameterError};
 use schuler::sensor::temperature::Ramp;
 use schuler::sensor::temperature_bias::TemperatureBias;
@@ -47,21 +47,27 @@ fn read(
 fn matrices_are_full() {
     let rows = [[0.5, 0.25, 0.125], [1.0, 2.0, 4.0], [-8.0, 16.0, 32.0]];
     let x = Vector::new(1.0, 2.0, 4.0);
-    let term = CrossAxis::new(Matrix::from(rows)).unwrap();
+    let term = MisalignmentMatrix::new(Matrix::from(rows)).unwrap();
     assert_eq!(read(&term, [x])[0] - x, Vector::new(1.5, 21.0, 152.0));
-    let term = GCoupling::new(Matrix::from(rows)).unwrap();
+    let term = GSensitivityMatrix::new(Matrix::from(rows)).unwrap();
     assert_eq!(read(&term, [x])[0] - x, Vector::new(0.5, 13.0, 88.0));
     // A rotation is the skew matrix of it.
     let m = Vector::new(0.5, 0.25, 0.125);
     let rotation = Misalignment::new(m).unwrap();
     let skew = [[0.0, m.z, -m.y], [-m.z, 0.0, m.x], [m.y, -m.x, 0.0]];
-    let matrix = CrossAxis::new(Matrix::from(skew)).unwrap();
+    let matrix = MisalignmentMatrix::new(Matrix::from(skew)).unwrap();
     assert_eq!(read(&rotation, [x]), read(&matrix, [x]));
     let mut bad = rows;
     bad[1][2] = f64::NAN;
     let refused = |parameter| ParameterError { parameter, axis: Some(1), fault: Fault::NotFinite };
-    assert_eq!(CrossAxis::new(Matrix::from(bad)), Err(refused(Parameter::CrossAxis)));
-    assert_eq!(GCoupling::new(Matrix::from(bad)), Err(refused(Parameter::GCoupling)));
+    assert_eq!(
+        MisalignmentMatrix::new(Matrix::from(bad)),
+        Err(refused(Parameter::MisalignmentMatrix))
+    );
+    assert_eq!(
+        GSensitivityMatrix::new(Matrix::from(bad)),
+        Err(refused(Parameter::GSensitivityMatrix))
+    );
 }
 
 #[test]

@@ -16,14 +16,14 @@
 
 pub mod bandwidth;
 pub mod constant;
-pub mod cross_axis;
 pub mod emulator;
 pub mod flicker;
-pub mod g_coupling;
 pub mod g_sensitivity;
+pub mod g_sensitivity_matrix;
 pub mod gauss_markov;
 pub mod latency;
 pub mod misalignment;
+pub mod misalignment_matrix;
 pub mod parameter;
 pub mod quantization;
 pub mod random_walk;

@@ -48,9 +48,9 @@ pub enum Parameter {
     /// Least significant bit.
     Quantization,
     /// Misalignment of each axis.
-    CrossAxis,
+    MisalignmentMatrix,
     /// g-sensitivity across axes.
-    GCoupling,
+    GSensitivityMatrix,
     /// Temperature and its rate.
     Temperature,
     /// How long the temperature changes.
@@ -109,8 +109,8 @@ impl Display for Parameter {
             Self::GSensitivity => "g-sensitivity",
             Self::Saturation => "saturation",
             Self::Quantization => "quantization",
-            Self::CrossAxis => "misalignment of each axis",
-            Self::GCoupling => "g-sensitivity across axes",
+            Self::MisalignmentMatrix => "misalignment of each axis",
+            Self::GSensitivityMatrix => "g-sensitivity across axes",
             Self::Temperature => "temperature",
             Self::RampTime => "time of the temperature ramp",
             Self::TemperatureBias => "bias by temperature",

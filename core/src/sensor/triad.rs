@@ -14,13 +14,13 @@
 
 use super::bandwidth::Bandwidth;
 use super::constant::Constant;
-use super::cross_axis::CrossAxis;
 use super::flicker::Flicker;
-use super::g_coupling::GCoupling;
 use super::g_sensitivity::GSensitivity;
+use super::g_sensitivity_matrix::GSensitivityMatrix;
 use super::gauss_markov::GaussMarkov;
 use super::latency::Latency;
 use super::misalignment::Misalignment;
+use super::misalignment_matrix::MisalignmentMatrix;
 use super::quantization::Quantization;
 use super::random_walk::RandomWalk;
 use super::saturation::Saturation;
@@ -110,9 +110,9 @@ triad! {
     /// g-sensitivity.
     g_sensitivity: GSensitivity = 8,
     /// Misalignment of each axis.
-    cross_axis: CrossAxis = 12,
+    misalignment_matrix: MisalignmentMatrix = 12,
     /// g-sensitivity across axes.
-    g_coupling: GCoupling = 13,
+    g_sensitivity_matrix: GSensitivityMatrix = 13,
     /// Bias by temperature.
     temperature_bias: TemperatureBias = 14,
     /// Scale factor by temperature.

@@ -15,12 +15,12 @@ use schuler::math::vector::Vector;
 use schuler::sensor::Timing;
 use schuler::sensor::bandwidth::Bandwidth;
 use schuler::sensor::constant::Constant;
-use schuler::sensor::cross_axis::CrossAxis;
 use schuler::sensor::flicker::Flicker;
-use schuler::sensor::g_coupling::GCoupling;
 use schuler::sensor::g_sensitivity::GSensitivity;
+use schuler::sensor::g_sensitivity_matrix::GSensitivityMatrix;
 use schuler::sensor::latency::Latency;
 use schuler::sensor::misalignment::Misalignment;
+use schuler::sensor::misalignment_matrix::MisalignmentMatrix;
 use schuler::sensor::parameter::ParameterError;
 use schuler::sensor::quantization::Quantization;
 use schuler::sensor::random_walk::RandomWalk;
@@ -197,7 +197,7 @@ terms! {
         Source::Systematic(|k, felt| Matrix::from(k.rows()) * felt.x),
         gyro key("misalignment_matrix_arcsec", ARCSECOND, "arcsec"),
         accelerometer key("misalignment_matrix_arcsec", ARCSECOND, "arcsec"),
-        cross_axis = CrossAxis(x);
+        misalignment_matrix = MisalignmentMatrix(x);
     // G·f
     "g-sensitivity": g_sensitivity Axes in ANY,
         Source::Systematic(|k, felt| Vector::from(k.axes()).zip(felt.f, |k, f| k * f)),
@@ -208,7 +208,7 @@ terms! {
         Source::Systematic(|k, felt| Matrix::from(k.rows()) * felt.f),
         gyro key("g_sensitivity_matrix_deg_h_g", DEGREE_PER_HOUR_PER_G, "°/h/g"),
         accelerometer None,
-        g_coupling = GCoupling(x);
+        g_sensitivity_matrix = GSensitivityMatrix(x);
     // c(T − T₀), and c(T − T₀)·x
     "bias by temperature": temperature_bias Axes in ANY,
         Source::Systematic(|k, felt| Vector::from(k.axes()) * felt.warmer_k),

@@ -1,23 +1,20 @@
-//! Misalignment of each sensor on its own: M·x with a full matrix M.
-//!
-//! Where a triad is not orthogonal, no rotation brings it onto the body axes; each row of M is what one sensor
-//! feels of the three axes besides its own.
+//! g-sensitivity of gyros across axes: G·f with a full matrix G.
 //!
 //! ```
 //! use schuler::math::quaternion::Matrix;
 //! use schuler::math::vector::Vector;
 //! use schuler::noise::Streams;
-//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, cross_axis::CrossAxis};
+//! use schuler::sensor::{ErrorTerm, Reading, Stimulus, g_sensitivity_matrix::GSensitivityMatrix};
 //!
-//! // The sensor of the y axis leans 1 mrad towards x.
+//! // The gyro of the x axis feels specific force along z.
 //! let none = Vector::ZERO;
-//! let term = CrossAxis::new(Matrix { rows: [none, Vector::new(1e-3, 0.0, 0.0), none] })?;
+//! let term = GSensitivityMatrix::new(Matrix { rows: [Vector::new(0.0, 0.0, 1e-4), none, none] })?;
 //! let mut state = term.start(Streams::new(1, 0));
 //! let truth = Vector::new(0.02_f64, 0.0, 0.0);
 //! let stimulus = Stimulus { sensed: truth, velocity_b: Vector::new(0.0, 0.0, -0.098) };
 //! let mut reading = Reading::new(truth);
 //! term.apply(&mut state, &stimulus, &mut reading);
-//! assert!((reading.increment.y - 2e-5).abs() < 1e-17);
+//! assert!((reading.increment.x - 0.02 + 9.8e-6).abs() < 1e-17);
 //! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
 //! ```
 
@@ -27,33 +24,32 @@ use crate::math::quaternion::Matrix;
 use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
 
-/// A misalignment of each axis, to first order.
+/// A rate error from specific force along any axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CrossAxis<R> {
+pub struct GSensitivityMatrix<R> {
     matrix: Matrix<R>,
 }
 
-impl<R: Deviate> CrossAxis<R> {
-    /// From M, rad: a row for each sensor, its parts along the body axes. An element of the diagonal acts as a
-    /// scale factor.
+impl<R: Deviate> GSensitivityMatrix<R> {
+    /// From G, rad/s per m/s²: a row for each gyro, its parts along the body axes.
     ///
     /// # Errors
     ///
     /// [`ParameterError`] if an element is not finite.
     pub fn new(matrix: Matrix<R>) -> Result<Self, ParameterError> {
-        Ok(Self { matrix: Parameter::CrossAxis.rows(matrix)? })
+        Ok(Self { matrix: Parameter::GSensitivityMatrix.rows(matrix)? })
     }
 }
 
-impl<R: Copy> CrossAxis<R> {
+impl<R: Copy> GSensitivityMatrix<R> {
     /// The same term in numbers of another type, as `number` makes them from these.
-    pub fn map<T>(&self, number: impl Fn(R) -> T) -> CrossAxis<T> {
-        CrossAxis { matrix: self.matrix.map(number) }
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> GSensitivityMatrix<T> {
+        GSensitivityMatrix { matrix: self.matrix.map(number) }
     }
 }
 
-impl<R: Random> ErrorTerm<R> for CrossAxis<R> {
+impl<R: Random> ErrorTerm<R> for GSensitivityMatrix<R> {
     type State = ();
 
     #[inline]
@@ -61,7 +57,7 @@ impl<R: Random> ErrorTerm<R> for CrossAxis<R> {
 
     #[inline(always)]
     fn apply(&self, _: &mut (), stimulus: &Stimulus<R>, reading: &mut Reading<R>) {
-        // M·x
-        reading.increment = reading.increment + self.matrix * stimulus.sensed;
+        // ∫G·f dt = G·Δv
+        reading.increment = reading.increment + self.matrix * stimulus.velocity_b;
     }
 }

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/target.sh
 
-features=(trajectory sensor link micromath defmt)
+features=(trajectory sensor link aiding micromath defmt)
 fail() { echo "features: $*" >&2; exit 1; }
 
 # crates FEATURES: what cargo compiles besides core, one a line.
@@ -22,7 +22,7 @@ case $alone in
 esac
 # What is not seen where it is cannot be missed where it is not.
 grep -q '^syn v' <<<"$(crates defmt)" || fail "syn is not seen in a build with defmt"
-for feature in trajectory sensor micromath trajectory,sensor; do
+for feature in trajectory sensor aiding micromath trajectory,sensor; do
     if grep -E '^syn v|\(proc-macro\)' <<<"$(crates "$feature")"; then
         fail "a build with \"$feature\" takes a procedural macro"
     fi

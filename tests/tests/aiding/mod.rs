@@ -1,0 +1,7 @@
+//! The covariance core against dense covariances, the mechanization, and the limits of theory.
+
+mod covariance;
+mod dense;
+mod factors;
+mod filter;
+mod transition;

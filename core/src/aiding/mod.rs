@@ -15,6 +15,7 @@
 //! | [`measurement`] | rows of measurements: position, velocity, displacement, height, along the body |
 //! | [`gate`] | a vector accepted or refused as a whole; what happens after many refusals |
 //! | [`feedback`] | the estimated errors as a correction |
+//! | [`alignment`] | fine alignment of a vehicle that stands still, sways or turns |
 //!
 //! The state is ordered δr, δv, ψ, gyro biases, accelerometer biases, further states.
 //!
@@ -28,6 +29,7 @@
 //! assert!((filter.covariance().sigma(9) - 1e-7).abs() < 1e-20);
 //! ```
 
+pub mod alignment;
 pub mod covariance;
 pub mod feedback;
 pub mod filter;

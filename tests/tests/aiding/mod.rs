@@ -1,5 +1,7 @@
 //! The covariance core against dense covariances, the mechanization, and the limits of theory.
 
+mod alignment;
+mod bases;
 mod covariance;
 mod dense;
 mod factors;

@@ -1,5 +1,7 @@
 //! `schuler replay`: navigates a recorded stream.
 
+mod biases;
+mod bridged;
 mod comparison;
 mod files;
 mod fly;

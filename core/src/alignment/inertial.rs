@@ -140,16 +140,14 @@ impl<R: Scalar> Inertial<R> {
             let unit = k.map(|row| row.map(|x| x * scale));
             // A symmetric matrix: its columns are its rows.
             k = unit.map(|row| {
-                unit.map(|other| {
-                    row.iter().zip(&other).fold(R::ZERO, |sum, (x, y)| sum + *x * *y)
-                })
+                unit.map(|other| row.iter().zip(&other).fold(R::ZERO, |sum, (x, y)| sum + *x * *y))
             });
         }
         // Every row is along the eigenvector; the longest is taken.
         let length = |row: &[R; 4]| row.iter().fold(R::ZERO, |sum, x| sum + *x * *x);
-        let longest = k.iter().fold([R::ZERO; 4], |best, row| {
-            if length(row) > length(&best) { *row } else { best }
-        });
+        let longest = k
+            .iter()
+            .fold([R::ZERO; 4], |best, row| if length(row) > length(&best) { *row } else { best });
         let norm = length(&longest).sqrt();
         let [w, x, y, z] = longest.map(|component| component / norm);
         norm.is_within(R::of(1e30)).then_some(Quaternion::new(w, Vector::new(x, y, z)))

@@ -4,10 +4,12 @@
 //! |---|---|
 //! | [`cli`] | the command line, as plain requests |
 //! | [`run`], [`emulate`], [`replay`] | one flight, one stream, one recording |
+//! | [`align`] | level and north of a recorded vehicle |
 //! | [`trajectory`], [`scenes`] | what a flight is like, and what there is to fly |
 //! | [`frontier`], [`stress`], [`ensemble`], [`audit`], [`hil`] | the experiments, which do not know each other |
 //! | [`report`] | what a flight leaves: tables, files, charts, pages |
 
+pub mod align;
 pub mod audit;
 pub mod cli;
 pub mod emulate;

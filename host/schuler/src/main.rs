@@ -3,7 +3,7 @@
 use clap::Parser;
 use schuler_host::cli::{Cli, Command};
 use schuler_host::{
-    audit, emulate, ensemble, frontier, hil, replay, run, scenes, stress, trajectory,
+    align, audit, emulate, ensemble, frontier, hil, replay, run, scenes, stress, trajectory,
 };
 use schuler_simulator::output::stop;
 use schuler_simulator::simulate::FlightError;
@@ -15,6 +15,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Emulate(args) => emulate::emulate(&args),
         Command::Replay(args) => replay::replay(&args),
+        Command::Align(args) => align::align(&args),
         Command::Frontier(args) => frontier::frontier(&args),
         Command::Stress(args) => stress::stress(&args),
         Command::Ensemble(args) => ensemble::ensemble(&args),

@@ -60,8 +60,11 @@ impl Motion {
         let wave = |amplitude: f64, period: f64, phase: f64| {
             [Harmonic { amplitude, angular_rate: core::f64::consts::TAU / period, phase }]
         };
-        let (roll, pitch, yaw) =
-            (wave(7.0 * DEGREE, 8.0, 0.3), wave(4.0 * DEGREE, 6.0, 1.1), wave(3.0 * DEGREE, 10.0, 2.0));
+        let (roll, pitch, yaw) = (
+            wave(7.0 * DEGREE, 8.0, 0.3),
+            wave(4.0 * DEGREE, 6.0, 1.1),
+            wave(3.0 * DEGREE, 10.0, 2.0),
+        );
         let north = wave(0.3 / radii.meridian, 7.0, 0.5);
         let east = wave(0.2 / (radii.prime_vertical * LATITUDE.cos()), 6.5, 0.9);
         let up = wave(0.4, 8.5, 0.0);
@@ -102,7 +105,12 @@ impl Motion {
 }
 
 /// The increments that the sensors read in a run.
-pub fn read(perfect: &[Increment<f64>], rate_hz: f64, run: u64, sensors: &Limit<f64>) -> Vec<Increment<f64>> {
+pub fn read(
+    perfect: &[Increment<f64>],
+    rate_hz: f64,
+    run: u64,
+    sensors: &Limit<f64>,
+) -> Vec<Increment<f64>> {
     let timing = Timing::new(1.0 / rate_hz, perfect.len() as u64).unwrap();
     let three = |x: f64| Vector::new(x, x, x);
     let terms = |noise: f64, bias: f64| {
@@ -168,7 +176,8 @@ where
     let interval = Pair::narrow(Pair::new(hz).reciprocal());
     let fine = Fine::<M, N, P, E>::new(mechanization, interval, &place, settings).unwrap();
     let narrow = |x: f64| R::narrow(x);
-    let euler = Euler { roll: narrow(first.roll), pitch: narrow(first.pitch), yaw: narrow(first.yaw) };
+    let euler =
+        Euler { roll: narrow(first.roll), pitch: narrow(first.pitch), yaw: narrow(first.yaw) };
     let mut state = fine.start(euler).unwrap();
     let mut reads = Vec::new();
     for (k, sample) in samples.iter().enumerate() {

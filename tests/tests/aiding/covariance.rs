@@ -154,12 +154,9 @@ pub fn fly(case: &Case, steps: usize) -> Outcome {
     let [p, v, tilt, heading] = case.start;
     let gyro = case.bias[0] * DEGREE_PER_HOUR;
     let force = case.bias[1];
-    let sigmas =
-        [p, p, p, v, v, v, tilt, tilt, heading, gyro, gyro, gyro, force, force, force];
-    let noise = StepNoise {
-        gyro: case.noise[0] * DEGREE / 60.0,
-        accelerometer: case.noise[1] / 60.0,
-    };
+    let sigmas = [p, p, p, v, v, v, tilt, tilt, heading, gyro, gyro, gyro, force, force, force];
+    let noise =
+        StepNoise { gyro: case.noise[0] * DEGREE / 60.0, accelerometer: case.noise[1] / 60.0 };
     let narrow_noise =
         StepNoise { gyro: noise.gyro as f32, accelerometer: noise.accelerometer as f32 };
     let mut single = Ud::<f32, N, 120>::diagonal(sigmas.map(|x| x as f32));

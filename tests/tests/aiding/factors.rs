@@ -14,7 +14,8 @@ type Factors = Ud<f64, 15, 120>;
 fn numbers(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }
@@ -134,7 +135,11 @@ fn a_step() {
         let e = [0, 1, 2].map(|n| f64::from(u8::from(n == axis)));
         let psi = Vector::new(e[0], e[1], e[2]);
         let v = psi.cross(half);
-        dense::add(&mut expected, 0.03 * 0.03 * 0.3, &[0.0, 0.0, 0.0, v.x, v.y, v.z, e[0], e[1], e[2]]);
+        dense::add(
+            &mut expected,
+            0.03 * 0.03 * 0.3,
+            &[0.0, 0.0, 0.0, v.x, v.y, v.z, e[0], e[1], e[2]],
+        );
         let r = e.map(|x| 0.15 * x);
         dense::add(&mut expected, 0.2 * 0.2 * 0.3, &[r[0], r[1], r[2], e[0], e[1], e[2]]);
     }

@@ -104,7 +104,8 @@ fn a_resonator_left_alone_keeps_its_spread() {
 fn the_covariance_turns_with_a_large_correction() {
     // What a filter knows of the vertical stays about the vertical, whatever the heading's correction is.
     let model = Model::new(0.0, 0.0, Process::constant(0.0), Process::constant(0.0));
-    let level = Pose { body_to_ned: Quaternion::IDENTITY.matrix(1.0_f64), velocity_ned: Vector::ZERO };
+    let level =
+        Pose { body_to_ned: Quaternion::IDENTITY.matrix(1.0_f64), velocity_ned: Vector::ZERO };
     let here = Surroundings::at(&Geodetic { latitude: 0.8, longitude: 0.0, altitude: 0.0 });
     let mut filter = Filter15::<f64>::new(&model);
     filter.add_uncertainty(6, Vector::new(1e-3, 2e-3, 1.0), &level);

@@ -36,7 +36,11 @@ fn errors(computed: &Solution<f64>, truth: &Solution<f64>) -> [f64; 9] {
     [dr.x, dr.y, dr.z, dv.x, dv.y, dv.z, psi.x, psi.y, psi.z]
 }
 
-fn flown<M>(mechanization: &M, errors: &[f64; 15], start: &Solution<f64>) -> (Solution<f64>, Stretch<f64>)
+fn flown<M>(
+    mechanization: &M,
+    errors: &[f64; 15],
+    start: &Solution<f64>,
+) -> (Solution<f64>, Stretch<f64>)
 where
     M: Mechanization<Real = f64, Body = BodyMotion<f64>>,
 {
@@ -68,8 +72,7 @@ where
     let start = Solution::new(at, Vector::new(120.0, -60.0, 8.0), euler);
     let (end, stretch) = flown(mechanization, &[0.0; 15], &start);
     let here = Surroundings::at(&at);
-    let transition =
-        Transition::new(&stretch).with_gradient(&here.gradient_b(&Pose::of(&end)));
+    let transition = Transition::new(&stretch).with_gradient(&here.gradient_b(&Pose::of(&end)));
     // Metres, m/s, rad, rad/s, m/s².
     let sizes = [30.0, 0.3, 1e-3, 1e-3, 0.1];
     for n in 0..15 {

@@ -53,9 +53,8 @@ impl<R: Scalar> Aligned<R> {
         let pose = Pose::of(solution);
         let ud = filter.covariance();
         let [north, east, heading] = pose.body_to_ned.rows.map(|axis| about(filter, axis));
-        let three = |first: usize| {
-            Vector::new(ud.sigma(first), ud.sigma(first + 1), ud.sigma(first + 2))
-        };
+        let three =
+            |first: usize| Vector::new(ud.sigma(first), ud.sigma(first + 1), ud.sigma(first + 2));
         Self {
             attitude: solution.euler(),
             velocity_ned: pose.velocity_ned,

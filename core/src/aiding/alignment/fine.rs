@@ -265,11 +265,13 @@ where
             stretch.add(body, samples * interval_s);
             *integrated = now;
         };
-        self.mechanization
-            .push_blocks(navigator, sample, see)
-            .map_err(AlignmentFault::Rejected)?;
+        self.mechanization.push_blocks(navigator, sample, see).map_err(AlignmentFault::Rejected)?;
         // Half a sample early is on time.
-        if stretch.time_s + interval_s * R::HALF > R::of(STEP_S) { self.step(state) } else { Ok(()) }
+        if stretch.time_s + interval_s * R::HALF > R::of(STEP_S) {
+            self.step(state)
+        } else {
+            Ok(())
+        }
     }
 
     /// Measures the velocity relative to the Earth in north, east and down, m/s.

@@ -34,7 +34,9 @@ impl core::fmt::Display for AlignmentFault {
             }
             Self::Start => "navigation cannot start from this attitude and place",
             Self::Rejected(rejected) => return rejected.fmt(f),
-            Self::Diverged => "the estimates diverged: the samples do not fit a vehicle that goes nowhere",
+            Self::Diverged => {
+                "the estimates diverged: the samples do not fit a vehicle that goes nowhere"
+            }
         })
     }
 }

@@ -1,5 +1,6 @@
 //! The command line: commands, their options, and what they do to a scene.
 
+mod align;
 mod apart;
 mod audit;
 mod emulate;
@@ -10,6 +11,7 @@ mod scenes;
 mod start;
 
 pub use crate::report::every::Every;
+pub use align::{AlignArgs, Method};
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use emulate::EmulateArgs;
 pub use hil::HilArgs;
@@ -56,6 +58,8 @@ pub enum Command {
     Emulate(EmulateArgs),
     /// Navigate a recorded stream
     Replay(Box<ReplayArgs>),
+    /// Find level, north and biases of a vehicle that stands still
+    Align(Box<AlignArgs>),
     /// Describe a scene's flight, and write its path for other tools
     Trajectory(TrajectoryArgs),
     /// Measure run time against error

@@ -46,6 +46,15 @@ pub struct Refined {
     pub row: NavigationRow,
     /// All of it.
     pub aligned: Aligned<f64>,
+    /// What the sensors are taken for.
+    pub sensors: Limit<f64>,
+}
+
+impl Refined {
+    /// How long an alignment takes that knows the heading to a standard deviation, s; `None` if none does.
+    pub fn seconds_for(&self, sigma: f64) -> Option<f64> {
+        self.sensors.seconds(&Surroundings::at(&self.row.position), sigma)
+    }
 }
 
 impl Stretch {
@@ -114,7 +123,7 @@ impl Stretch {
         say(&text(&aligned, &sensors, &Surroundings::at(&place)))?;
         let row =
             NavigationRow { attitude: aligned.attitude, velocity_ned: Vector::ZERO, ..*coarse };
-        Ok(Refined { row, aligned })
+        Ok(Refined { row, aligned, sensors })
     }
 }
 
@@ -134,7 +143,15 @@ fn text(aligned: &Aligned<f64>, sensors: &Limit<f64>, here: &Surroundings<f64>) 
     let [north, east] = aligned.level_sigma;
     let limit = degrees(sensors.heading(here, aligned.seconds));
     let three = |v: Vector<f64>, unit: f64, decimals: usize| {
-        format!("{:.*}, {:.*}, {:.*}", decimals, v.x / unit, decimals, v.y / unit, decimals, v.z / unit)
+        format!(
+            "{:.*}, {:.*}, {:.*}",
+            decimals,
+            v.x / unit,
+            decimals,
+            v.y / unit,
+            decimals,
+            v.z / unit
+        )
     };
     let [gyro, gyro_sigma] = aligned.gyro_bias;
     let [force, force_sigma] = aligned.accelerometer_bias;

@@ -143,6 +143,15 @@ impl<R: Real, const N: usize, const P: usize, const E: usize> Filter<R, N, P, E>
         &self.ud
     }
 
+    /// The standard deviation of the attitude about an axis of the body, rad.
+    pub fn sigma_about(&self, axis_b: Vector<R>) -> R {
+        let mut h = [R::ZERO; N];
+        for (cell, x) in h.iter_mut().skip(6).zip(axis_b.into_array()) {
+            *cell = x;
+        }
+        self.ud.variance_of(&h).sqrt()
+    }
+
     /// The covariance, to write.
     pub fn covariance_mut(&mut self) -> &mut Ud<R, N, P> {
         &mut self.ud

@@ -2,8 +2,9 @@
 
 use schuler::aiding::alignment::aligned::Aligned;
 use schuler::aiding::alignment::base::Base;
-use schuler::aiding::alignment::fine::{Fine, Settings};
+use schuler::aiding::alignment::fine::Fine;
 use schuler::aiding::alignment::limit::Limit;
+use schuler::aiding::alignment::settings::Settings;
 use schuler::aiding::model::Model;
 use schuler::aiding::states::Process;
 use schuler::earth::Radii;

@@ -2,7 +2,6 @@
 //!
 //! See [`Fine`](super::fine::Fine) for an example.
 
-use super::fine::about;
 use crate::aiding::filter::Filter;
 use crate::aiding::gate::Watch;
 use crate::aiding::model::{ACCELEROMETER_BIAS, GYRO_BIAS};
@@ -52,7 +51,7 @@ impl<R: Scalar> Aligned<R> {
     ) -> Self {
         let pose = Pose::of(solution);
         let ud = filter.covariance();
-        let [north, east, heading] = pose.body_to_ned.rows.map(|axis| about(filter, axis));
+        let [north, east, heading] = pose.body_to_ned.rows.map(|axis| filter.sigma_about(axis));
         let three =
             |first: usize| Vector::new(ud.sigma(first), ud.sigma(first + 1), ud.sigma(first + 2));
         Self {

@@ -42,7 +42,7 @@ impl<R: Real> Base<R> {
     /// A vehicle that sways by some decimetres in about seven seconds.
     pub fn swaying() -> Self {
         let rate = R::of(core::f64::consts::TAU / 7.0);
-        let sway = Resonator { rms_m: R::of(0.3), rate, damping: R::of(0.05) };
+        let sway = Resonator { rms_m: R::of(0.3), rate, damping: R::of(0.03) };
         Self::Swaying { sway, displacement_m: R::of(1e-2) }
     }
 

@@ -6,7 +6,8 @@
 //!
 //! ```
 //! use schuler::aiding::alignment::base::Base;
-//! use schuler::aiding::alignment::fine::{Fine15, Settings};
+//! use schuler::aiding::alignment::fine::Fine15;
+//! use schuler::aiding::alignment::settings::Settings;
 //! use schuler::aiding::model::Model;
 //! use schuler::aiding::states::Process;
 //! use schuler::prelude::*;
@@ -37,15 +38,14 @@
 
 use super::aligned::Aligned;
 use super::base::Base;
-use super::search::{Found, Search};
+use super::search::Search;
+use super::settings::Settings;
 use super::verdict::AlignmentFault;
 use crate::aiding::filter::Filter;
-use crate::aiding::gate::{Gate, Rows, Watch};
-use crate::aiding::measurement;
-use crate::aiding::model::{FIRST_EXTRA, Model};
+use crate::aiding::gate::{Gate, Watch};
 use crate::aiding::states::Extra;
 use crate::aiding::surroundings::{Pose, Surroundings};
-use crate::aiding::transition::{Stretch, Transition};
+use crate::aiding::transition::Stretch;
 use crate::earth::{Geodetic, POLAR_SINE};
 use crate::math::compensated::Pair;
 use crate::math::real::{Real, Scalar};
@@ -58,54 +58,22 @@ use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::mechanization::Mechanization;
 
 /// A step of the filter, s, about: the blocks within it are chained.
-const STEP_S: f64 = 0.1;
-/// Level is found at this standard deviation, rad, or taken as it is after a time, s.
-const LEVEL: f64 = 5e-4;
-const LEVEL_S: f64 = 10.0;
+pub(super) const STEP_S: f64 = 0.1;
 /// A χ² of three degrees exceeds this once in a million times.
 const REFUSED: f64 = 30.7;
 /// Refusals in a row, of steps, after which the vehicle counts as moving.
 const PATIENCE: u32 = 10;
 
-/// What an alignment rests on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Settings<R> {
-    /// Noise and biases; its further states are those of the base.
-    pub model: Model<R>,
-    /// How the vehicle moves.
-    pub base: Base<R>,
-    /// Standard deviation of the first roll and pitch, rad.
-    pub level_rad: R,
-    /// Standard deviation of the first heading, rad.
-    pub heading_rad: R,
-    /// Standard deviation of the first velocity, m/s per axis.
-    pub velocity_m_s: R,
-}
-
-impl<R: Real> Settings<R> {
-    /// A vehicle at rest, a level that is known to some degrees, and no heading.
-    pub fn new(model: Model<R>) -> Self {
-        Self {
-            model,
-            base: Base::still(),
-            level_rad: R::of(0.05),
-            heading_rad: R::of(1.8),
-            velocity_m_s: R::of(0.01),
-        }
-    }
-}
-
 /// An alignment by a mechanization: configuration.
 #[derive(Clone, Copy, Debug)]
 pub struct Fine<M: Mechanization, const N: usize, const P: usize, const E: usize> {
-    mechanization: M,
-    interval: Pair<M::Real>,
-    settings: Settings<M::Real>,
-    position: Geodetic<M::Real>,
+    pub(super) mechanization: M,
+    pub(super) interval: Pair<M::Real>,
+    pub(super) settings: Settings<M::Real>,
+    pub(super) position: Geodetic<M::Real>,
     pub(super) here: Surroundings<M::Real>,
-    cosine: M::Real,
-    gate: Gate<M::Real>,
+    pub(super) cosine: M::Real,
+    pub(super) gate: Gate<M::Real>,
 }
 
 /// Of a vehicle that stands still, or moves.
@@ -116,23 +84,20 @@ pub type Fine21<M> = Fine<M, 21, 231, 6>;
 /// A running alignment.
 #[derive(Clone, Copy)]
 pub struct FineState<M: Mechanization, const N: usize, const P: usize, const E: usize> {
-    navigator: M::State,
-    filter: Filter<M::Real, N, P, E>,
-    stretch: Stretch<M::Real>,
-    search: Search<M::Real>,
+    pub(super) navigator: M::State,
+    pub(super) filter: Filter<M::Real, N, P, E>,
+    pub(super) stretch: Stretch<M::Real>,
+    pub(super) search: Search<M::Real>,
     /// The heading's standard deviation as long as the filter finds level alone, rad; then 0.
-    unsure: M::Real,
+    pub(super) unsure: M::Real,
     /// Samples before the filter last started.
-    before: u64,
+    pub(super) before: u64,
     /// Samples since then, up to the end of the last block.
-    integrated: u64,
-    watch: Watch<M::Real>,
+    pub(super) integrated: u64,
+    pub(super) watch: Watch<M::Real>,
     /// Samples at the first refusal that became a lockout; 0: none.
-    moved: u64,
+    pub(super) moved: u64,
 }
-
-/// What of the vehicle an alignment by displacement needs.
-type Solved<M> = Solution<<M as Mechanization>::Real>;
 
 impl<R: Scalar, M, const N: usize, const P: usize, const E: usize> Fine<M, N, P, E>
 where
@@ -206,7 +171,7 @@ where
     }
 
     /// The same with a heading of a standard deviation of its own, rad.
-    fn start_unsure(
+    pub(super) fn start_unsure(
         &self,
         attitude: Euler<R>,
         velocity_ned: Vector<R>,
@@ -228,7 +193,7 @@ where
         filter.add_uncertainty(3, all(velocity_m_s), &pose);
         // Tilt times an unknown heading is what a linear filter leaves out: at rest it first finds level, which needs
         // no heading.
-        let level_first = !matches!(base, Base::Moving);
+        let level_first = matches!(base, Base::Still { .. });
         let unsure = if level_first { heading_rad } else { R::ZERO };
         let heading = if level_first { R::ZERO } else { heading_rad };
         filter.add_uncertainty(6, Vector::new(level_rad, level_rad, heading), &pose);
@@ -274,120 +239,6 @@ where
         }
     }
 
-    /// Measures the velocity relative to the Earth in north, east and down, m/s.
-    ///
-    /// # Errors
-    ///
-    /// [`AlignmentFault::Diverged`] if the mechanization refuses a correction: start again.
-    pub fn measure_velocity(
-        &self,
-        state: &mut FineState<M, N, P, E>,
-        velocity_ned: Vector<R>,
-        sigma_m_s: R,
-    ) -> Result<bool, AlignmentFault> {
-        if state.stretch.time_s > R::ZERO {
-            self.advance(state);
-        }
-        let pose = Pose::of(&self.mechanization.output(&state.navigator).solution());
-        let innovation = pose.to_body(pose.velocity_ned - velocity_ned);
-        let earth = pose.to_body(self.here.earth_rate_ned);
-        let rows = measurement::zero_velocity(innovation, earth, sigma_m_s);
-        self.take(state, &rows, &pose)
-    }
-
-    /// Carries the filter on to the end of the last block.
-    fn advance(&self, state: &mut FineState<M, N, P, E>) -> Solved<M> {
-        let solution = self.mechanization.output(&state.navigator).solution();
-        let stretch = core::mem::replace(&mut state.stretch, Stretch::NONE);
-        let gradient = self.here.gradient_b(&Pose::of(&solution));
-        let transition = Transition::new(&stretch).with_gradient(&gradient);
-        state.filter.advance(&self.settings.model, &transition);
-        solution
-    }
-
-    /// A step of the filter, with the measurement that the base gives.
-    #[inline(never)]
-    fn step(&self, state: &mut FineState<M, N, P, E>) -> Result<(), AlignmentFault> {
-        let time_s = state.stretch.time_s;
-        let solution = self.advance(state);
-        let Some(displacement_m) = self.settings.base.displacement_m() else { return Ok(()) };
-        let pose = Pose::of(&solution);
-        let mut way = self.way(&solution);
-        let mut resonator = None;
-        if let (Base::Swaying { .. }, [x, y, z, ..]) =
-            (&self.settings.base, state.filter.extras().as_slice())
-        {
-            way = way - Vector::new(*x, *y, *z);
-            resonator = Some(FIRST_EXTRA);
-        }
-        // The same information per second, whatever the step is.
-        let sigma = displacement_m * (R::of(STEP_S) / time_s).sqrt();
-        let rows = measurement::displacement(pose.to_body(way), resonator, sigma);
-        self.take(state, &rows, &pose)?;
-        self.search(state, &pose)
-    }
-
-    /// Begins to look for the heading, and starts again where a heading that was not known has turned too far for a linear filter.
-    fn search(
-        &self,
-        state: &mut FineState<M, N, P, E>,
-        pose: &Pose<R>,
-    ) -> Result<(), AlignmentFault> {
-        if state.unsure > R::ZERO {
-            let [north, east, _] = pose.body_to_ned.rows.map(|axis| about(&state.filter, axis));
-            let seconds = R::count(state.integrated as u32) * self.interval.hi;
-            let level = R::of(LEVEL);
-            if (north < level && east < level) || seconds > R::of(LEVEL_S) {
-                let heading = Vector::new(R::ZERO, R::ZERO, state.unsure);
-                let now = Pose::of(&self.mechanization.output(&state.navigator).solution());
-                state.filter.add_uncertainty(6, heading, &now);
-                state.unsure = R::ZERO;
-            }
-            return Ok(());
-        }
-        if !state.search.goes_on() {
-            return Ok(());
-        }
-        let sigma = about(&state.filter, pose.body_to_ned.rows[2]);
-        if let Found::Again(heading_rad) = state.search.judge(sigma) {
-            let attitude = self.mechanization.output(&state.navigator).solution().euler();
-            let again = self.start_unsure(attitude, Vector::ZERO, heading_rad)?;
-            let before = state.before.saturating_add(state.integrated);
-            *state = FineState { before, ..again };
-        }
-        Ok(())
-    }
-
-    /// The way from the place, m.
-    pub(super) fn way(&self, solution: &Solution<R>) -> Vector<R> {
-        let start = Solution { position: self.position.map(Pair::new), ..*solution };
-        self.here.way(&start, solution, self.cosine)
-    }
-
-    /// Takes a vector of measurements, and feeds back what it says.
-    fn take(
-        &self,
-        state: &mut FineState<M, N, P, E>,
-        rows: &Rows<R, N, 3>,
-        pose: &Pose<R>,
-    ) -> Result<bool, AlignmentFault> {
-        let limit = if state.search.goes_on() { R::of(1e30) } else { self.gate.limit };
-        let judged = state.filter.measure(rows, limit);
-        if state.watch.note(&self.gate, judged.accepted, judged.nis) && state.moved == 0 {
-            state.moved = state.before.saturating_add(state.integrated);
-        }
-        if !judged.accepted {
-            return Ok(false);
-        }
-        let filter = &mut state.filter;
-        let correction = filter.feed(&self.settings.model, &judged.errors, pose, &self.here);
-        self.mechanization
-            .correct(&mut state.navigator, &correction)
-            .map_err(|_| AlignmentFault::Diverged)?;
-        state.search.turned(correction.attitude_ned.z);
-        Ok(true)
-    }
-
     /// What came of it so far.
     pub fn aligned(&self, state: &FineState<M, N, P, E>) -> Aligned<R> {
         let solution = self.mechanization.output(&state.navigator).solution();
@@ -429,16 +280,4 @@ where
     M::Real: Record,
 {
     record!(navigator, filter, stretch, search, unsure, before, integrated, watch, moved);
-}
-
-/// The standard deviation of the attitude about an axis of the body, rad.
-pub(super) fn about<R: Real, const N: usize, const P: usize, const E: usize>(
-    filter: &Filter<R, N, P, E>,
-    axis_b: Vector<R>,
-) -> R {
-    let mut h = [R::ZERO; N];
-    for (cell, x) in h.iter_mut().skip(6).zip(axis_b.into_array()) {
-        *cell = x;
-    }
-    filter.covariance().variance_of(&h).sqrt()
 }

@@ -265,7 +265,10 @@ where
             }
             sum
         };
-        [n, e, d].map(|a| [n, e, d].map(|b| along(a, b)))
+        let mut covariance = [n, e, d].map(|a| [n, e, d].map(|b| along(a, b)));
+        let [_, _, [_, _, heading]] = &mut covariance;
+        *heading = *heading + state.unsure * state.unsure;
+        covariance
     }
 
     /// How it is aligned.

@@ -2,6 +2,7 @@
 
 use crate::high::Neglected;
 use crate::scene::{Scene, WindowShape};
+use crate::alignment::outcome::Outcome;
 use crate::theory::Outside;
 use schuler::solution::Solution;
 use serde::Serialize;
@@ -269,6 +270,8 @@ pub struct Flight {
     pub outside: Option<Outside>,
     /// What happened on the link to a target; absent when there was none.
     pub link: Option<LinkReport>,
+    /// The alignment that it began with, if any.
+    pub aligned: Option<Outcome>,
     /// Stage times; absent when not measured.
     pub time: Option<StageTimes>,
 }

@@ -251,6 +251,11 @@ where
         Aligned { heading_sigma: heading, ..aligned }
     }
 
+    /// The navigator's solution at the end of its last block.
+    pub fn solution(&self, state: &FineState<M, N, P, E>) -> Solution<R> {
+        self.mechanization.output(&state.navigator).solution()
+    }
+
     /// The covariance of the attitude as a rotation vector in north, east, down, rad².
     pub fn attitude_covariance(&self, state: &FineState<M, N, P, E>) -> [[R; 3]; 3] {
         let pose = Pose::of(&self.mechanization.output(&state.navigator).solution());

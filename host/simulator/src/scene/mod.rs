@@ -2,6 +2,7 @@
 //!
 //! `parse` reads it from TOML, `builtin` holds the scenes that come with the program.
 
+pub mod alignment;
 pub mod build;
 pub mod builtin;
 pub mod felt;
@@ -17,6 +18,7 @@ pub mod window;
 use crate::course::Path;
 use crate::input::document::{Document, did_you_mean};
 use crate::input::{Complaint, InputError, read_text};
+pub use alignment::{Alignment, Base};
 pub use navigator::{Gap, Link, Navigator, Vertical};
 pub use schuler::flight::configuration::{Algorithm, Axes, Precision};
 pub use schuler::strapdown::block::shape::WindowShape;
@@ -49,6 +51,8 @@ pub struct Scene {
     pub accelerometer: SensorErrors,
     /// What the navigator's start is off by.
     pub initial_error: InitialError,
+    /// The alignment that navigation begins with, if any.
+    pub alignment: Option<Alignment>,
     /// How it is navigated.
     pub navigator: Navigator,
     /// What happens to samples on their way.

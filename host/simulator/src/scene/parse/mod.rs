@@ -5,14 +5,14 @@ mod trajectory;
 
 use super::keys::general as keys;
 use super::{
-    Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Trajectory, Vertical,
+    Algorithm, Alignment, Axes, Base, Gap, InitialError, Link, Navigator, Precision, Scene, Trajectory, Vertical,
     WindowShape, limits,
 };
 use crate::flight::Nine;
 use crate::input::document::{Document, Section, Value};
 use crate::input::{Complaint, InputError, Range};
 use crate::navigator;
-use crate::units::ARCSECOND;
+use crate::units::{ARCSECOND, DEGREE};
 use sha2::{Digest as _, Sha256};
 use std::path::Path;
 
@@ -39,6 +39,7 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
         gyro,
         accelerometer,
         initial_error: initial_error(&root)?,
+        alignment: alignment(&root)?,
         navigator: navigation(&root)?,
         link: link(&root)?,
     };
@@ -101,6 +102,28 @@ fn renamed(mut error: InputError) -> InputError {
         error.complaint = Complaint::new(what, Nine::NAMES.join(", "));
     }
     error
+}
+
+fn alignment(root: &Section<'_>) -> Result<Option<Alignment>, InputError> {
+    let Some(section) = root.table("alignment", &keys::ALIGNMENT)? else { return Ok(None) };
+    let rest = Alignment::new(section.need(&keys::ALIGNING)?);
+    let read = |key| section.read(key);
+    let moving = Alignment {
+        base: section.get("base").map_or(Ok(rest.base), |value| value.choice(Base::NAMES))?,
+        heading_sigma_rad: read(&keys::HEADING_SIGMA)?.map(|degrees| degrees * DEGREE),
+        velocity_sigma_m_s: read(&keys::VELOCITY_SIGMA)?.unwrap_or(rest.velocity_sigma_m_s),
+        velocity_interval_s: read(&keys::VELOCITY_EVERY)?.unwrap_or(rest.velocity_interval_s),
+        ..rest
+    };
+    if moving.base != Base::Moving {
+        for key in [&keys::VELOCITY_SIGMA, &keys::VELOCITY_EVERY] {
+            if section.get(key.name).is_some() {
+                let what = format!("{} is of a base that moves", key.name);
+                return Err(section.blame(key.name, Complaint::new(what, "base = \"moving\"")));
+            }
+        }
+    }
+    Ok(Some(moving))
 }
 
 fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {

@@ -1,0 +1,81 @@
+//! What many alignments were off by, beside their standard deviations and theory.
+
+use super::outcome::Outcome;
+use super::setup::Setup;
+use crate::scene::Base;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+use std::f64::consts::PI;
+
+/// The axes of an attitude error.
+pub const AXES: [&str; 3] = ["north", "east", "heading"];
+
+/// One axis over all runs, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis {
+    /// Root of the mean square of the error.
+    pub rms: f64,
+    /// Mean of the error.
+    pub mean: f64,
+    /// Root of the mean variance that the filters say.
+    pub sigma: f64,
+    /// What theory allows; `None` where there is no closed form.
+    pub limit: Option<f64>,
+}
+
+/// What many alignments were off by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spread {
+    /// How many.
+    pub runs: usize,
+    /// About north, about east, heading.
+    pub axes: [Axis; 3],
+    /// The mean of ε by its three degrees of freedom: 1 is expected.
+    pub nees: f64,
+    /// Where 95 % of such means lie.
+    pub expected: [f64; 2],
+    /// The mean of the residuals, by what is expected of them.
+    pub residual: f64,
+    /// Runs whose vehicle moved more than its base is said to.
+    pub moved: usize,
+}
+
+impl Spread {
+    /// Of the runs of a scene.
+    pub fn new(setup: &Setup<'_>, outcomes: &[Outcome]) -> Self {
+        let n = outcomes.len().max(1) as f64;
+        let mean = |value: &dyn Fn(&Outcome) -> f64| outcomes.iter().map(value).sum::<f64>() / n;
+        let limits = limits(setup);
+        let axes = std::array::from_fn(|axis| Axis {
+            rms: mean(&|one| one.error[axis].powi(2)).sqrt(),
+            mean: mean(&|one| one.error[axis]),
+            sigma: mean(&|one| one.sigma[axis].powi(2)).sqrt(),
+            limit: limits[axis],
+        });
+        let freedom = 3.0 * n;
+        let expected = ChiSquared::new(freedom).map_or([f64::NAN; 2], |law| {
+            [0.025, 0.975].map(|part| law.inverse_cdf(part) / freedom)
+        });
+        Self {
+            runs: outcomes.len(),
+            axes,
+            nees: mean(&|one| one.nees) / 3.0,
+            expected,
+            residual: mean(&|one| one.aligned.residual),
+            moved: outcomes.iter().filter(|one| one.aligned.moved_s.is_some()).count(),
+        }
+    }
+}
+
+/// What theory allows about north, about east, and of the heading, rad.
+fn limits(setup: &Setup<'_>) -> [Option<f64>; 3] {
+    let (here, seconds) = (setup.surroundings(), setup.alignment().duration_s);
+    if setup.alignment().base != Base::Still {
+        return [None; 3];
+    }
+    // Half a turn shows the biases.
+    if setup.turned() >= PI {
+        return [None, None, Some(setup.sensors.heading_turning(&here, seconds))];
+    }
+    let level = setup.sensors.level(&here);
+    [Some(level), Some(level), Some(setup.sensors.heading(&here, seconds))]
+}

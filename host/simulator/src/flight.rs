@@ -1,8 +1,8 @@
 //! The result of a run, from which the summary and the report are made.
 
+use crate::alignment::outcome::Outcome;
 use crate::high::Neglected;
 use crate::scene::{Scene, WindowShape};
-use crate::alignment::outcome::Outcome;
 use crate::theory::Outside;
 use schuler::solution::Solution;
 use serde::Serialize;

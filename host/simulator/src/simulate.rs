@@ -86,7 +86,8 @@ impl<'a> Simulation<'a> {
         observe: &mut dyn FnMut(&Instant) -> Result<(), InputError>,
         progress: &dyn Fn(u64),
     ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
-        let Self { scene, source, plan, mut theory, initial, mut vehicle, run, before, aligned } = self;
+        let Self { scene, source, plan, mut theory, initial, mut vehicle, run, before, aligned } =
+            self;
         let (samples, gap) = (scene.samples(), scene.navigator.gap);
         let mut log = Log::new(samples, scene.rate_hz);
         let (written, flown) = (RefCell::new(Ok(())), Cell::new(0));

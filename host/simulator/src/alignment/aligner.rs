@@ -17,7 +17,11 @@ use schuler::solution::{Euler, Solution};
 /// An alignment with any number of states.
 pub(super) trait Aligns: Send {
     fn push(&mut self, sample: &Increment<f64>) -> Result<(), AlignmentFault>;
-    fn measure_velocity(&mut self, ned: Vector<f64>, sigma_m_s: f64) -> Result<bool, AlignmentFault>;
+    fn measure_velocity(
+        &mut self,
+        ned: Vector<f64>,
+        sigma_m_s: f64,
+    ) -> Result<bool, AlignmentFault>;
     fn aligned(&self) -> Aligned<f64>;
     fn covariance(&self) -> [[f64; 3]; 3];
     fn solution(&self) -> Solution<f64>;
@@ -49,7 +53,11 @@ impl<const N: usize, const P: usize, const E: usize> Aligns for Running<N, P, E>
         self.fine.push(&mut self.state, *sample)
     }
 
-    fn measure_velocity(&mut self, ned: Vector<f64>, sigma_m_s: f64) -> Result<bool, AlignmentFault> {
+    fn measure_velocity(
+        &mut self,
+        ned: Vector<f64>,
+        sigma_m_s: f64,
+    ) -> Result<bool, AlignmentFault> {
         self.fine.measure_velocity(&mut self.state, ned, sigma_m_s)
     }
 
@@ -111,7 +119,8 @@ impl<'a> Aligner<'a> {
         if self.taken.is_multiple_of(4) && self.taken as f64 >= due {
             velocities.measured += 1;
             let truth = self.source.truth(self.taken).velocity_ned.map(|v| v.hi);
-            let [north, east, down] = velocities.noise.each_mut().map(|stream| stream.normal::<f64>());
+            let [north, east, down] =
+                velocities.noise.each_mut().map(|stream| stream.normal::<f64>());
             let sigma = velocities.sigma_m_s;
             let measured = truth + Vector::new(north, east, down) * sigma;
             self.running.measure_velocity(measured, sigma)?;

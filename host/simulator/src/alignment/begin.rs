@@ -25,7 +25,12 @@ pub struct Beginning {
 }
 
 /// Begins a run: from what the scene says that is known, or where its alignment ends.
-pub fn begin(scene: &Scene, source: &Source, plan: &Plan, run: u64) -> Result<Beginning, Unavailable> {
+pub fn begin(
+    scene: &Scene,
+    source: &Source,
+    plan: &Plan,
+    run: u64,
+) -> Result<Beginning, Unavailable> {
     let interval = Pair::new(scene.rate_hz).reciprocal();
     let starts = |initial: &Solution<f64>| {
         navigator::start(&scene.navigator, plan.window, plan.order, interval, initial)
@@ -60,6 +65,9 @@ fn align(
 ) -> Result<Outcome, Unavailable> {
     let setup = Setup::new(scene, source, alignment)
         .map_err(|error| Unavailable::NoAlignment(error.complaint))?;
-    outcome::of_run(&setup, source, run, None)
-        .map_err(|(sample, why)| Unavailable::Alignment { run, sample, why })
+    outcome::of_run(&setup, source, run, None).map_err(|(sample, why)| Unavailable::Alignment {
+        run,
+        sample,
+        why,
+    })
 }

@@ -47,7 +47,11 @@ pub struct Setup<'a> {
 
 impl<'a> Setup<'a> {
     /// Of a scene, whatever it says itself.
-    pub fn new(scene: &'a Scene, source: &'a Source, alignment: Alignment) -> Result<Self, InputError> {
+    pub fn new(
+        scene: &'a Scene,
+        source: &'a Source,
+        alignment: Alignment,
+    ) -> Result<Self, InputError> {
         let blocks = (alignment.duration_s * scene.rate_hz / BLOCK as f64).round() as u64;
         let samples = blocks * BLOCK;
         if samples == 0 || samples > scene.samples() {
@@ -76,7 +80,15 @@ impl<'a> Setup<'a> {
             ..Settings::new(sensors::model(scene))
         };
         let interval = Pair::new(scene.rate_hz).reciprocal();
-        Ok(Self { scene, source, alignment, settings, interval, samples, sensors: sensors::limit(scene) })
+        Ok(Self {
+            scene,
+            source,
+            alignment,
+            settings,
+            interval,
+            samples,
+            sensors: sensors::limit(scene),
+        })
     }
 
     /// Starts that of a run, from a heading that is off by what the run draws, or by an angle that is given, rad.
@@ -97,15 +109,20 @@ impl<'a> Setup<'a> {
         let navigator = Navigator4::new(self.interval).map_err(|_| AlignmentFault::Settings)?;
         let (settings, interval) = (self.settings, self.interval);
         let running: Box<dyn Aligns> = match self.alignment.base {
-            Base::Swaying => {
-                Box::new(Running::<21, 231, 6>::new(navigator, interval, place, settings, first, velocity)?)
-            }
-            Base::Still | Base::Moving => {
-                Box::new(Running::<15, 120, 0>::new(navigator, interval, place, settings, first, velocity)?)
-            }
+            Base::Swaying => Box::new(Running::<21, 231, 6>::new(
+                navigator, interval, place, settings, first, velocity,
+            )?),
+            Base::Still | Base::Moving => Box::new(Running::<15, 120, 0>::new(
+                navigator, interval, place, settings, first, velocity,
+            )?),
         };
         let measured = moves.then(|| streams.branch(VELOCITY).axes());
         Ok(Aligner::new(running, self.source, self.samples, &self.alignment, measured))
+    }
+
+    /// When it ends, s.
+    pub fn time_s(&self) -> f64 {
+        self.source.time_s(self.samples)
     }
 
     /// The place where it begins, and what an alignment needs to know of it.

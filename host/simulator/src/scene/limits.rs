@@ -196,7 +196,8 @@ fn alignment(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
     let Some(alignment) = scene.alignment else { return Ok(()) };
     let longest_s = scene.duration_s - BLOCK / scene.rate_hz;
     if !(BLOCK / scene.rate_hz..=longest_s).contains(&alignment.duration_s) {
-        let what = format!("{} s are not within the scene's {}", alignment.duration_s, scene.duration_s);
+        let what =
+            format!("{} s are not within the scene's {}", alignment.duration_s, scene.duration_s);
         let accepted = format!("seconds, from {} to {longest_s}", BLOCK / scene.rate_hz);
         return Err(("alignment.duration_s", Complaint::new(what, accepted)));
     }

@@ -5,8 +5,8 @@ mod trajectory;
 
 use super::keys::general as keys;
 use super::{
-    Algorithm, Alignment, Axes, Base, Gap, InitialError, Link, Navigator, Precision, Scene, Trajectory, Vertical,
-    WindowShape, limits,
+    Algorithm, Alignment, Axes, Base, Gap, InitialError, Link, Navigator, Precision, Scene,
+    Trajectory, Vertical, WindowShape, limits,
 };
 use crate::flight::Nine;
 use crate::input::document::{Document, Section, Value};

@@ -3,7 +3,7 @@
 //! The specific force integrated in body axes of the start is a curve; at rest on the turning Earth the same curve,
 //! in local axes of the start, is known. The rotation that lays one on the other is the attitude at the start. Unlike
 //! that of two vectors it holds for a vehicle that turns, and it takes no first attitude. A vehicle that is displaced
-//! has velocities of its own, and needs minutes.
+//! has velocities of its own, and needs minutes; where they are measured, it needs seconds.
 //! Source: Wu and Pan, IEEE Trans. Aerospace and Electronic Systems 49 (2013), 1006 (optimization-based alignment);
 //! Davenport's q-method (Wertz, *Spacecraft Attitude Determination and Control*, §12.2.3).
 //!
@@ -51,6 +51,10 @@ pub struct Inertial<R> {
     /// ∫f dt in body axes of the start, ∫−g dt in local ones of the start, m/s.
     felt: Vector<R>,
     known: Vector<R>,
+    /// Of a vehicle that moves, its velocity at the start and the last one measured, north, east, down, m/s.
+    velocity: Option<[Vector<R>; 2]>,
+    /// Sum of the horizontal changes of that velocity, m/s, and of their squares.
+    changes: [R; 2],
     /// Σ known feltᵀ by rows, weighted by time.
     outer: [Vector<R>; 3],
     samples: u32,
@@ -69,8 +73,42 @@ impl<R: Scalar> Inertial<R> {
             local: Quaternion::IDENTITY,
             felt: Vector::ZERO,
             known: Vector::ZERO,
+            velocity: None,
+            changes: [R::ZERO; 2],
             outer: [Vector::ZERO; 3],
             samples: 0,
+        }
+    }
+
+    /// At a place, with a velocity relative to the Earth in north, east and down, m/s, that is
+    /// [measured](Self::measure_velocity) from time to time.
+    pub fn moving(place: &Place<R>, velocity_ned: Vector<R>) -> Self {
+        Self { velocity: Some([velocity_ned; 2]), ..Self::new(place) }
+    }
+
+    /// Takes the velocity at the last sample, north, east, down, m/s.
+    pub fn measure_velocity(&mut self, velocity_ned: Vector<R>) {
+        // ∫Cf dt = [Cv] + ∫C(ω_ie × v − g) dt, with C of the local axes against those of the start
+        let [first, last] = self.velocity.get_or_insert([velocity_ned; 2]);
+        *last = velocity_ned;
+        let gained = self.local.matrix(R::ONE) * velocity_ned - *first;
+        let change = Vector::new(gained.x, gained.y, R::ZERO).norm();
+        let [sum, squares] = self.changes;
+        self.changes = [sum + change, squares + change * change];
+        self.compare(self.known + gained, R::ONE);
+    }
+
+    /// What the velocities show of the heading: a change of so many m/s, of which one that is good to σ leaves σ by it.
+    pub fn velocity_change(&self) -> R {
+        // σ_ψ² = σ²/Σc² by the noise of each, (Σc/Σc²)²σ² by that of the first
+        let [sum, squares] = self.changes;
+        if squares > R::ZERO { squares / (squares + sum * sum).sqrt() } else { R::ZERO }
+    }
+
+    /// Lays the known curve beside the felt one.
+    fn compare(&mut self, known: Vector<R>, weight: R) {
+        for (row, known) in self.outer.iter_mut().zip(known.into_array()) {
+            *row = *row + self.felt * (known * weight);
         }
     }
 
@@ -84,10 +122,11 @@ impl<R: Scalar> Inertial<R> {
         let turn = self.earth_rate_ned * interval_s;
         let middle = turned(self.local, turn * R::HALF);
         let up = Vector::new(R::ZERO, R::ZERO, -(self.gravity * interval_s));
-        self.known = self.known + middle.matrix(R::ONE) * up;
+        let carried = self.velocity.map_or(Vector::ZERO, |[_, last]| turn.cross(last));
+        self.known = self.known + middle.matrix(R::ONE) * (up + carried);
         self.local = turned(self.local, turn);
-        for (row, known) in self.outer.iter_mut().zip(self.known.into_array()) {
-            *row = *row + self.felt * (known * interval_s);
+        if self.velocity.is_none() {
+            self.compare(self.known, interval_s);
         }
         self.samples = self.samples.saturating_add(1);
     }

@@ -133,6 +133,9 @@ fn failed(scene: &Scene, run: u64, sample: u64, fault: AlignmentFault) -> Flight
     };
     let accepted = match fault {
         AlignmentFault::Pole => "a place below 84° of latitude",
+        AlignmentFault::Unseen => {
+            "a longer --for, in which the vehicle speeds up, slows down or turns"
+        }
         AlignmentFault::Diverged => "a base that is as the vehicle is: --base swaying or moving",
         _ => "",
     };

@@ -22,7 +22,8 @@ pub(super) trait Aligns: Send {
         ned: Vector<f64>,
         sigma_m_s: f64,
     ) -> Result<bool, AlignmentFault>;
-    fn aligned(&self) -> Aligned<f64>;
+    /// What it has found; `None` as long as no attitude is known.
+    fn aligned(&self) -> Option<Aligned<f64>>;
     fn covariance(&self) -> [[f64; 3]; 3];
     fn solution(&self) -> Solution<f64>;
 }
@@ -40,10 +41,9 @@ impl<const N: usize, const P: usize, const E: usize> Running<N, P, E> {
         place: Geodetic<f64>,
         settings: Settings<f64>,
         first: Euler<f64>,
-        velocity_ned: Vector<f64>,
     ) -> Result<Self, AlignmentFault> {
         let fine = Fine::new(navigator, interval, &place, settings)?;
-        let state = fine.start_moving(first, velocity_ned)?;
+        let state = fine.start(first)?;
         Ok(Self { fine, state })
     }
 }
@@ -61,8 +61,8 @@ impl<const N: usize, const P: usize, const E: usize> Aligns for Running<N, P, E>
         self.fine.measure_velocity(&mut self.state, ned, sigma_m_s)
     }
 
-    fn aligned(&self) -> Aligned<f64> {
-        self.fine.aligned(&self.state)
+    fn aligned(&self) -> Option<Aligned<f64>> {
+        Some(self.fine.aligned(&self.state))
     }
 
     fn covariance(&self) -> [[f64; 3]; 3] {
@@ -133,8 +133,8 @@ impl<'a> Aligner<'a> {
         self.taken >= self.samples
     }
 
-    /// What it has found so far.
-    pub fn aligned(&self) -> Aligned<f64> {
+    /// What it has found so far; `None` as long as no attitude is known.
+    pub fn aligned(&self) -> Option<Aligned<f64>> {
         self.running.aligned()
     }
 

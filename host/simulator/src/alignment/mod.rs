@@ -5,6 +5,7 @@
 //! | [`sensors`] | what a filter takes a scene's sensors for |
 //! | [`setup`] | an alignment of a scene, ready to be started for each run |
 //! | [`aligner`] | one run's alignment: samples in, attitude and biases out |
+//! | [`under_way`] | a vehicle that moves, whose velocity is measured |
 //! | [`coarse`] | the methods that need no filter |
 //! | [`outcome`] | what it was off by |
 //! | [`begin`] | a navigator that goes on where an alignment ends |
@@ -17,3 +18,4 @@ pub mod outcome;
 pub mod sensors;
 pub mod setup;
 pub mod spread;
+pub mod under_way;

@@ -40,18 +40,19 @@ pub fn of_run(
             aligner.push(&increment).map_err(|fault| (sample, fault))?;
         }
     }
-    Ok(Outcome::of(&aligner, source))
+    Outcome::of(&aligner, source).ok_or((setup.samples, AlignmentFault::Unseen))
 }
 
 impl Outcome {
-    /// Of an alignment that is done.
-    pub fn of(aligner: &Aligner<'_>, source: &Source) -> Self {
+    /// Of an alignment that is done; `None` if it found no attitude.
+    pub fn of(aligner: &Aligner<'_>, source: &Source) -> Option<Self> {
+        let aligned = aligner.aligned()?;
         let (solution, samples) = (aligner.solution(), aligner.integrated());
         let error = drift(&solution, &source.truth(samples)).attitude_ned.into_array();
         let covariance = aligner.covariance();
         let sigma = std::array::from_fn(|i| covariance[i][i].max(0.0).sqrt());
-        let aligned = aligner.aligned();
-        Self { aligned, solution, samples, error, sigma, nees: quadratic(&covariance, &error) }
+        let nees = quadratic(&covariance, &error);
+        Some(Self { aligned, solution, samples, error, sigma, nees })
     }
 }
 

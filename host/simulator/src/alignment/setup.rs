@@ -2,6 +2,7 @@
 
 use super::aligner::{Aligner, Aligns, Running};
 use super::sensors;
+use super::under_way::UnderWay;
 use crate::input::{Complaint, InputError};
 use crate::scene::{Alignment, Base, Scene};
 use crate::simulate::start;
@@ -13,7 +14,6 @@ use schuler::aiding::alignment::verdict::AlignmentFault;
 use schuler::aiding::surroundings::Surroundings;
 use schuler::earth::Geodetic;
 use schuler::math::compensated::Pair;
-use schuler::math::vector::Vector;
 use schuler::navigators::Navigator4;
 use schuler::noise::Streams;
 use schuler::solution::{Euler, Solution};
@@ -91,7 +91,8 @@ impl<'a> Setup<'a> {
         })
     }
 
-    /// Starts that of a run, from a heading that is off by what the run draws, or by an angle that is given, rad.
+    /// Starts that of a run, from a heading that is off by what the run draws, or by an angle that is given, rad. A
+    /// vehicle that moves shows its heading by its velocities in seconds: there no first one is asked.
     pub fn start(&self, run: u64, off: Option<f64>) -> Result<Aligner<'a>, AlignmentFault> {
         let truth = self.source.initial(0);
         let initial = start::of_run(&truth, self.scene, run);
@@ -104,18 +105,21 @@ impl<'a> Setup<'a> {
         let first = initial.euler();
         let first = Euler { yaw: first.yaw + off.unwrap_or(drawn), ..first };
         let place = place(&initial);
-        let moves = self.alignment.base == Base::Moving;
-        let velocity = if moves { initial.velocity_ned.map(|v| v.hi) } else { Vector::ZERO };
         let navigator = Navigator4::new(self.interval).map_err(|_| AlignmentFault::Settings)?;
         let (settings, interval) = (self.settings, self.interval);
         let running: Box<dyn Aligns> = match self.alignment.base {
-            Base::Swaying => Box::new(Running::<21, 231, 6>::new(
-                navigator, interval, place, settings, first, velocity,
-            )?),
-            Base::Still | Base::Moving => Box::new(Running::<15, 120, 0>::new(
-                navigator, interval, place, settings, first, velocity,
-            )?),
+            Base::Still => {
+                Box::new(Running::<15, 120, 0>::new(navigator, interval, place, settings, first)?)
+            }
+            Base::Swaying => {
+                Box::new(Running::<21, 231, 6>::new(navigator, interval, place, settings, first)?)
+            }
+            Base::Moving => {
+                let velocity = initial.velocity_ned.map(|v| v.hi);
+                Box::new(UnderWay::new(navigator, interval, place, settings, velocity))
+            }
         };
+        let moves = self.alignment.base == Base::Moving;
         let measured = moves.then(|| streams.branch(VELOCITY).axes());
         Ok(Aligner::new(running, self.source, self.samples, &self.alignment, measured))
     }

@@ -28,9 +28,10 @@ const VELOCITY: u64 = 4;
 const LEVEL: f64 = 0.01;
 /// A heading of which nothing is known, rad.
 const UNKNOWN: f64 = 1.8;
-/// The first velocity of a base, m/s per axis: at rest it is none.
+/// The first velocity of a vehicle at rest, m/s per axis.
 const STANDS: f64 = 1e-3;
-const SWAYS: f64 = 0.3;
+/// What the resonator does not explain of a displacement, m.
+const UNEXPLAINED: f64 = 1e-2;
 
 /// An alignment of a scene.
 pub struct Setup<'a> {
@@ -69,7 +70,11 @@ impl<'a> Setup<'a> {
         let tilt = tilt.iter().flat_map(|axes| &axes[..2]).fold(LEVEL, |most, x| most.max(x.abs()));
         let (base, velocity_m_s) = match alignment.base {
             Base::Still => (base::Base::still(), STANDS),
-            Base::Swaying => (base::Base::swaying(), SWAYS),
+            Base::Swaying => {
+                let sway =
+                    base::Base::Swaying { sway: alignment.sway, displacement_m: UNEXPLAINED };
+                (sway, alignment.sway.rms_m * alignment.sway.rate)
+            }
             Base::Moving => (base::Base::Moving, alignment.velocity_sigma_m_s),
         };
         let settings = Settings {

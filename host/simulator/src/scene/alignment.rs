@@ -1,5 +1,11 @@
 //! An alignment that comes before navigation.
 
+use schuler::aiding::states::resonator::Resonator;
+use std::f64::consts::TAU;
+
+/// A swell of seven seconds, about 0.3 m high.
+const SWELL: Resonator<f64> = Resonator { rms_m: 0.2, rate: TAU / 7.0, damping: 0.03 };
+
 /// An alignment that comes before navigation, on the scene's own motion and sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Alignment {
@@ -9,6 +15,8 @@ pub struct Alignment {
     pub base: Base,
     /// Standard deviation of the first heading, rad; `None` if nothing is known of it.
     pub heading_sigma_rad: Option<f64>,
+    /// Of a base that sways: how.
+    pub sway: Resonator<f64>,
     /// Of a base that moves: standard deviation of a measured velocity, m/s per axis.
     pub velocity_sigma_m_s: f64,
     /// Of a base that moves: time from one measured velocity to the next, s.
@@ -22,6 +30,7 @@ impl Alignment {
             duration_s,
             base: Base::Still,
             heading_sigma_rad: None,
+            sway: SWELL,
             velocity_sigma_m_s: 0.05,
             velocity_interval_s: 1.0,
         }

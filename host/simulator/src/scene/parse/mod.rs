@@ -14,6 +14,7 @@ use crate::input::{Complaint, InputError, Range};
 use crate::navigator;
 use crate::units::{ARCSECOND, DEGREE};
 use sha2::{Digest as _, Sha256};
+use std::f64::consts::TAU;
 use std::path::Path;
 
 /// More samples than any window spans.
@@ -108,22 +109,30 @@ fn alignment(root: &Section<'_>) -> Result<Option<Alignment>, InputError> {
     let Some(section) = root.table("alignment", &keys::ALIGNMENT)? else { return Ok(None) };
     let rest = Alignment::new(section.need(&keys::ALIGNING)?);
     let read = |key| section.read(key);
-    let moving = Alignment {
+    let mut sway = rest.sway;
+    sway.rms_m = read(&keys::SWAY_RMS)?.unwrap_or(sway.rms_m);
+    sway.rate = read(&keys::SWAY_PERIOD)?.map_or(sway.rate, |period_s| TAU / period_s);
+    sway.damping = read(&keys::SWAY_DAMPING)?.unwrap_or(sway.damping);
+    let alignment = Alignment {
+        sway,
         base: section.get("base").map_or(Ok(rest.base), |value| value.choice(Base::NAMES))?,
         heading_sigma_rad: read(&keys::HEADING_SIGMA)?.map(|degrees| degrees * DEGREE),
         velocity_sigma_m_s: read(&keys::VELOCITY_SIGMA)?.unwrap_or(rest.velocity_sigma_m_s),
         velocity_interval_s: read(&keys::VELOCITY_EVERY)?.unwrap_or(rest.velocity_interval_s),
         ..rest
     };
-    if moving.base != Base::Moving {
-        for key in [&keys::VELOCITY_SIGMA, &keys::VELOCITY_EVERY] {
-            if section.get(key.name).is_some() {
-                let what = format!("{} is of a base that moves", key.name);
-                return Err(section.blame(key.name, Complaint::new(what, "base = \"moving\"")));
-            }
+    let of_bases = [
+        (Base::Swaying, [&keys::SWAY_RMS, &keys::SWAY_PERIOD, &keys::SWAY_DAMPING].as_slice()),
+        (Base::Moving, &[&keys::VELOCITY_SIGMA, &keys::VELOCITY_EVERY]),
+    ];
+    for (base, keys) in of_bases.into_iter().filter(|(base, _)| *base != alignment.base) {
+        if let Some(key) = keys.iter().find(|key| section.get(key.name).is_some()) {
+            let what = format!("is of another base than \"{}\"", alignment.base.name());
+            let accepted = format!("base = \"{}\"", base.name());
+            return Err(section.blame(key.name, Complaint::new(what, accepted)));
         }
     }
-    Ok(Some(moving))
+    Ok(Some(alignment))
 }
 
 fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {

@@ -53,8 +53,8 @@ pub struct Inertial<R> {
     known: Vector<R>,
     /// Of a vehicle that moves, its velocity at the start and the last one measured, north, east, down, m/s.
     velocity: Option<[Vector<R>; 2]>,
-    /// Sum of the horizontal changes of that velocity, m/s, and of their squares.
-    changes: [R; 2],
+    /// Σ known knownᵀ at measured velocities, by rows, m²/s².
+    spread: [Vector<R>; 3],
     /// Σ known feltᵀ by rows, weighted by time.
     outer: [Vector<R>; 3],
     samples: u32,
@@ -74,7 +74,7 @@ impl<R: Scalar> Inertial<R> {
             felt: Vector::ZERO,
             known: Vector::ZERO,
             velocity: None,
-            changes: [R::ZERO; 2],
+            spread: [Vector::ZERO; 3],
             outer: [Vector::ZERO; 3],
             samples: 0,
         }
@@ -92,17 +92,32 @@ impl<R: Scalar> Inertial<R> {
         let [first, last] = self.velocity.get_or_insert([velocity_ned; 2]);
         *last = velocity_ned;
         let gained = self.local.matrix(R::ONE) * velocity_ned - *first;
-        let change = Vector::new(gained.x, gained.y, R::ZERO).norm();
-        let [sum, squares] = self.changes;
-        self.changes = [sum + change, squares + change * change];
-        self.compare(self.known + gained, R::ONE);
+        let known = self.known + gained;
+        for (row, x) in self.spread.iter_mut().zip(known.into_array()) {
+            *row = *row + known * x;
+        }
+        self.compare(known, R::ONE);
     }
 
-    /// What the velocities show of the heading: a change of so many m/s, of which one that is good to σ leaves σ by it.
-    pub fn velocity_change(&self) -> R {
-        // σ_ψ² = σ²/Σc² by the noise of each, (Σc/Σc²)²σ² by that of the first
-        let [sum, squares] = self.changes;
-        if squares > R::ZERO { squares / (squares + sum * sum).sqrt() } else { R::ZERO }
+    /// How far measured velocities leave a straight line, m/s: those that are good to σ leave σ by it of the rotation
+    /// about that line, rad. At a steady acceleration nothing is seen of it.
+    pub fn velocity_spread(&self) -> R {
+        // Of Σ known knownᵀ the trace less its largest eigenvalue
+        let whole = trace(&self.spread);
+        if whole > R::ZERO {
+            let mut unit = self.spread.map(|row| row * (R::ONE / whole));
+            for _ in 0..SQUARINGS {
+                let [a, b, c] = unit;
+                let square = unit.map(|row| Vector::new(row.dot(a), row.dot(b), row.dot(c)));
+                let scale = R::ONE / trace(&square);
+                unit = square.map(|row| row * scale);
+            }
+            // It has become vvᵀ of the eigenvector v, whose eigenvalue is tr(S·vvᵀ).
+            let most = self.spread.iter().zip(unit).fold(R::ZERO, |sum, (s, v)| sum + s.dot(v));
+            let rest = whole - most;
+            return if rest > R::ZERO { rest.sqrt() } else { R::ZERO };
+        }
+        R::ZERO
     }
 
     /// Lays the known curve beside the felt one.
@@ -200,4 +215,9 @@ fn turned<R: Scalar>(q: Quaternion<R>, by: Vector<R>) -> Quaternion<R> {
     let w = -(square * R::of(0.125)) + square * square * R::ratio(1, 384);
     let v = by * (R::HALF - square * R::ratio(1, 48));
     (q + q * Quaternion::new(w, v)).normalised()
+}
+
+/// The trace of a matrix by rows.
+fn trace<R: Scalar>([a, b, c]: &[Vector<R>; 3]) -> R {
+    a.x + b.y + c.z
 }

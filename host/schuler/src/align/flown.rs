@@ -136,7 +136,9 @@ fn failed(scene: &Scene, run: u64, sample: u64, fault: AlignmentFault) -> Flight
         AlignmentFault::Unseen => {
             "a longer --for, in which the vehicle speeds up, slows down or turns"
         }
-        AlignmentFault::Diverged => "a base that is as the vehicle is: --base swaying or moving",
+        AlignmentFault::Moved | AlignmentFault::Diverged => {
+            "a base that is as the vehicle is: --base swaying or moving"
+        }
         _ => "",
     };
     let complaint = Complaint::new(format!("run {run}{at}: {fault}"), accepted);

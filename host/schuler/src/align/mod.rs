@@ -4,12 +4,12 @@
 //! |---|---|
 //! | `recorded` | a recorded vehicle that stands still |
 //! | `flown` | the runs of a scene |
-//! | `table` | what is printed of those |
+//! | [`table`] | what is printed of those |
 //! | `toml` | the file that is written |
 
 mod flown;
 mod recorded;
-mod table;
+pub mod table;
 mod toml;
 
 use crate::cli::AlignArgs;

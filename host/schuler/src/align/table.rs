@@ -36,11 +36,11 @@ pub fn spread(spread: &Spread) -> String {
             or_none(axis.limit)
         );
     }
-    spread.claimed.map_or(text.clone(), |claimed| text + &said(&claimed, spread.runs))
+    spread.claimed.map_or(text.clone(), |claimed| text + &said(&claimed))
 }
 
-fn said(claimed: &Claimed, runs: usize) -> String {
-    let Claimed { nees, expected: [least, most], residual, moved } = *claimed;
+fn said(claimed: &Claimed) -> String {
+    let Claimed { nees, expected: [least, most], residual } = *claimed;
     let verdict = if nees < least {
         "the errors are smaller than the filter says"
     } else if nees > most {
@@ -48,13 +48,23 @@ fn said(claimed: &Claimed, runs: usize) -> String {
     } else {
         "the errors are what the filter says"
     };
-    let moved = match moved {
-        0 => String::new(),
-        _ => format!("; {moved} of {runs} vehicles moved more than their base is said to"),
-    };
     format!(
         "NEES {nees:.3} of 1 ({least:.3} to {most:.3} in 95 % of cases): {verdict}\n\
-         residuals {residual:.3} of what is expected{moved}\n"
+         residuals {residual:.3} of what is expected\n"
+    )
+}
+
+/// What the alignment before a flight found.
+pub fn begun(outcome: &Outcome) -> String {
+    let degrees = |x: f64| rounded(x / DEGREE, DIGITS);
+    let [north, east, heading] = outcome.error.map(degrees);
+    let [level, other, sure] = outcome.sigma;
+    format!(
+        "aligned until {} s: off by {north}° about north, {east}° about east, {heading}° of heading \
+         (1σ {}°, {}°)\n",
+        rounded(outcome.time_s, 6),
+        degrees(level.max(other)),
+        degrees(sure)
     )
 }
 
@@ -66,16 +76,13 @@ pub fn one(outcome: &Outcome, limit: Option<f64>) -> String {
     let list = |axes: [f64; 3], unit: f64| axes.map(|x| rounded(x / unit, DIGITS)).join(", ");
     let allows =
         limit.map_or(String::new(), |limit| format!("; theory allows {}°", degrees(limit)));
-    let moved = found.moved_s.map_or(String::new(), |moved_s| {
-        format!("; after {moved_s:.1} s the vehicle moved more than its base is said to")
-    });
     attitude("fine", &found.attitude)
         + &format!(
             "off by {}° about north, {}° about east, {}° of heading\n\
              1σ: level {}°, heading {}°{allows}\n\
              gyro biases {} °/h\n   1σ {}\n\
              accelerometer biases {} m/s²\n   1σ {}\n\
-             residuals {:.2} of what is expected{moved}\n",
+             residuals {:.2} of what is expected\n",
             degrees(outcome.error[0]),
             degrees(outcome.error[1]),
             degrees(outcome.error[2]),

@@ -15,6 +15,8 @@ pub struct Outcome {
     pub aligned: Aligned<f64>,
     /// Where it left its navigator.
     pub solution: Solution<f64>,
+    /// When that is, s.
+    pub time_s: f64,
     /// Samples behind that.
     pub samples: u64,
     /// The rotation vector from the true to the computed attitude, north, east, down, rad.
@@ -40,7 +42,11 @@ pub fn of_run(
             aligner.push(&increment).map_err(|fault| (sample, fault))?;
         }
     }
-    Outcome::of(&aligner, source).ok_or((setup.samples, AlignmentFault::Unseen))
+    let outcome = Outcome::of(&aligner, source).ok_or((setup.samples, AlignmentFault::Unseen))?;
+    match outcome.aligned.moved_s {
+        None => Ok(outcome),
+        Some(moved_s) => Err(((moved_s * source.rate_hz()).round() as u64, AlignmentFault::Moved)),
+    }
 }
 
 impl Outcome {
@@ -52,7 +58,8 @@ impl Outcome {
         let covariance = aligner.covariance();
         let sigma = std::array::from_fn(|i| covariance[i][i].max(0.0).sqrt());
         let nees = quadratic(&covariance, &error);
-        Some(Self { aligned, solution, samples, error, sigma, nees })
+        let time_s = source.time_s(samples);
+        Some(Self { aligned, solution, time_s, samples, error, sigma, nees })
     }
 }
 

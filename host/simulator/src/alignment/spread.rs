@@ -42,8 +42,6 @@ pub struct Claimed {
     pub expected: [f64; 2],
     /// The mean of the residuals, by what is expected of them.
     pub residual: f64,
-    /// Runs whose vehicle moved more than its base is said to.
-    pub moved: usize,
 }
 
 impl Spread {
@@ -82,7 +80,6 @@ impl Spread {
             nees: mean(&|one| one.nees) / 3.0,
             expected,
             residual: mean(&|one| one.aligned.residual),
-            moved: outcomes.iter().filter(|one| one.aligned.moved_s.is_some()).count(),
         };
         Self { claimed: Some(claimed), ..spread }
     }

@@ -64,7 +64,7 @@ impl UnderWay {
 
     /// Starts the filter if the attitude is good enough.
     fn try_to_start(&mut self, sigma_m_s: f64) -> Result<(), AlignmentFault> {
-        let heading = MARGIN * sigma_m_s / self.inertial.velocity_change();
+        let heading = MARGIN * sigma_m_s / self.inertial.velocity_spread();
         let enough = self.velocities >= FEWEST && heading < STARTS;
         let Some(attitude) = self.inertial.attitude().ok().filter(|_| enough) else {
             return Ok(());

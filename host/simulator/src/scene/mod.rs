@@ -88,6 +88,16 @@ pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputErr
     parse::scene(name_or_path, &read_text(name_or_path)?)
 }
 
+/// Refuses a scene that begins with an alignment where flights start from what is known.
+pub fn without_alignment(scene: Scene) -> Result<Scene, InputError> {
+    if scene.alignment.is_none() {
+        return Ok(scene);
+    }
+    let what = "begins navigation with an alignment, and here it starts from what is known";
+    let accepted = "a scene without [alignment]; run and ensemble fly it";
+    Err(InputError::option("alignment", Complaint::new(what, accepted)))
+}
+
 /// A complaint about a key of a scene that was loaded, at its line where it is a file's.
 pub fn blame(name_or_path: &str, key: &str, complaint: Complaint) -> InputError {
     if builtin::scene(name_or_path).is_some() {

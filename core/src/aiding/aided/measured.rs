@@ -12,8 +12,8 @@
 //! assert_eq!((fix.sensor(), fix.degrees()), (Sensor::Gnss, 3));
 //! ```
 
+use super::fault::AidedFault;
 use super::instant::Instant;
-use super::verdict::AidedFault;
 use crate::earth::Geodetic;
 use crate::math::compensated::Pair;
 use crate::math::real::Scalar;

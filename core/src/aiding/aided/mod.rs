@@ -12,10 +12,13 @@
 //! | `moment` | the vehicle at any time within them |
 //! | `locality` | the Earth where the vehicle is |
 //! | `expected` | what is expected of a measurement |
+//! | `push` | samples in, blocks chained to steps |
 //! | `step` | the filter's step, and the measurements that are due |
+//! | `path` | a measurement taken to the present |
 //! | `spread` | the covariance in north, east and down |
 //! | [`state`] | the state, and its record |
 //! | [`tally`] | counts |
+//! | [`fault`] | why something is refused before it is looked at |
 //! | [`verdict`] | what becomes of measurements; what a smoother needs of a step |
 //!
 //! A measurement belongs to its own time: its innovation is that of the navigator then, and the way it depends on the
@@ -24,11 +27,14 @@
 //! their times: then every bit is the same however they were transported, unless one comes later than the horizon.
 
 mod expected;
+pub mod fault;
 pub mod instant;
 mod locality;
 pub mod measured;
 mod moment;
 pub mod navigator;
+mod path;
+mod push;
 pub mod queue;
 pub mod ring;
 pub mod settings;

@@ -10,12 +10,12 @@
 //!     queue.put(&Measured::zero_velocity(Instant::of_sample(sample), 0.1))?;
 //! }
 //! assert_eq!(queue.first().map(|first| first.at.samples), Some(10));
-//! # Ok::<(), schuler::aiding::aided::verdict::AidedFault>(())
+//! # Ok::<(), schuler::aiding::aided::fault::AidedFault>(())
 //! ```
 
+use super::fault::AidedFault;
 use super::instant::Instant;
 use super::measured::{Kind, Measured};
-use super::verdict::AidedFault;
 use crate::earth::Geodetic;
 use crate::math::compensated::Pair;
 use crate::math::real::{Real, Scalar};
@@ -28,11 +28,6 @@ use crate::record::{Record, record};
 pub struct Queue<R, const Q: usize> {
     waiting: [Measured<R>; Q],
     count: usize,
-}
-
-/// What an empty place holds.
-fn none<R: Real>() -> Measured<R> {
-    Queue::<R, 1>::NONE
 }
 
 impl<R: Real, const Q: usize> Queue<R, Q> {
@@ -66,7 +61,7 @@ impl<R: Real, const Q: usize> Queue<R, Q> {
         self.waiting.rotate_left(1);
         self.count = self.count.saturating_sub(1);
         if let Some(last) = self.waiting.get_mut(Q.saturating_sub(1)) {
-            *last = none();
+            *last = Self::NONE;
         }
         Some(first)
     }

@@ -11,8 +11,8 @@
 //! assert_eq!((settings.states.count(), settings.patience), (15, 5));
 //! ```
 
+use super::fault::AidedFault;
 use super::measured::Kind;
-use super::verdict::AidedFault;
 use crate::aiding::chi_square;
 use crate::aiding::model::Model;
 use crate::aiding::states::latency::Latency;

@@ -15,6 +15,7 @@
 //! | [`measurement`] | rows of measurements: position, velocity, displacement, height, along the body |
 //! | [`gate`] | a vector accepted or refused as a whole; what happens after many refusals |
 //! | [`transport`] | a measurement of the past as one of the present |
+//! | [`standstill`] | whether a vehicle stands still, by the scatter of its samples |
 //! | [`chi_square`] | limits for a false alarm's frequency |
 //! | [`feedback`] | the estimated errors as a correction |
 //! | [`aided`] | the aided navigator: a mechanization with a filter, and measurements that come late |
@@ -41,6 +42,7 @@ pub mod filter;
 pub mod gate;
 pub mod measurement;
 pub mod model;
+pub mod standstill;
 pub mod states;
 pub mod surroundings;
 pub mod transition;

@@ -129,6 +129,15 @@ impl<R: Scalar> Expected<'_, R> {
         }
     }
 
+    /// What is expected of position and velocity less what is measured, north, east, down, m and m/s.
+    pub fn innovations(&self, measured: &Measured<R>) -> [Vector<R>; 2] {
+        let Moment { base, way_ned, pose, .. } = self.moment;
+        let lever = self.lever();
+        let beyond = *way_ned - self.locality.way(base, &measured.position);
+        let faster = pose.body_to_ned * self.velocity_b(lever) - measured.velocity;
+        [beyond + pose.body_to_ned * lever, faster]
+    }
+
     /// A barometer's height.
     pub fn height<const N: usize>(&self, measured: &Measured<R>) -> Rows<R, N, 1> {
         let Moment { base, way_ned, pose, .. } = self.moment;

@@ -14,6 +14,8 @@
 //! | `expected` | what is expected of a measurement |
 //! | `push` | samples in, blocks chained to steps |
 //! | `step` | the filter's step, and the measurements that are due |
+//! | `take` | a measurement taken: expectation, verdict, feedback |
+//! | `heading` | a heading that is not known at the start |
 //! | `path` | a measurement taken to the present |
 //! | `spread` | the covariance in north, east and down |
 //! | [`state`] | the state, and its record |
@@ -28,6 +30,7 @@
 
 mod expected;
 pub mod fault;
+mod heading;
 pub mod instant;
 mod locality;
 pub mod measured;
@@ -41,5 +44,6 @@ pub mod settings;
 mod spread;
 pub mod state;
 mod step;
+mod take;
 pub mod tally;
 pub mod verdict;

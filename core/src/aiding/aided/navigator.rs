@@ -36,12 +36,13 @@
 //! ```
 
 use super::fault::AidedFault;
+use super::heading::Anchor;
 use super::instant::Instant;
 use super::locality::Reference;
 use super::measured::Measured;
 use super::queue::Queue;
 use super::ring::{Entry, Ring};
-use super::settings::{Limits, Places, Settings};
+use super::settings::{Limits, Places, Settings, Start};
 use super::state::{AidedState, Taken};
 use super::tally::{Tally, Transport};
 use crate::aiding::alignment::search::Search;
@@ -118,7 +119,7 @@ where
         let entry = Entry::new(0, &solution, Vector::ZERO, &Stretch::NONE, &Fading::NONE);
         Ok(AidedState {
             navigator,
-            filter: self.filter(&Pose::of(&solution), heading),
+            filter: self.filter(&Pose::of(&solution), &self.settings.start),
             stretch: Stretch::NONE,
             rates: [Vector::ZERO; 2],
             block_s: R::ZERO,
@@ -129,19 +130,25 @@ where
             queue: Queue::EMPTY,
             taken: Taken::NONE,
             search: Search::new(heading),
+            corrected: [R::ZERO; 3],
+            anchor: Anchor {
+                samples: 0,
+                velocity_ned: solution.velocity_ned.map(|c| c.hi),
+                sigma: self.settings.start.velocity_m_s,
+            },
             tallies: [Tally::default(); 5],
             transport: Transport::default(),
         })
     }
 
-    /// A filter with the uncertainties of the start, but for the heading's, rad.
-    pub(super) fn filter(&self, pose: &Pose<R>, heading_rad: R) -> Filter<R, N, P, E> {
-        let start = &self.settings.start;
+    /// A filter with first uncertainties.
+    pub(super) fn filter(&self, pose: &Pose<R>, start: &Start<R>) -> Filter<R, N, P, E> {
+        let Start { position_m, velocity_m_s, level_rad, heading_rad } = *start;
         let mut filter = Filter::new(&self.model);
         let all = |x: R| Vector::new(x, x, x);
-        filter.add_uncertainty(0, all(start.position_m), pose);
-        filter.add_uncertainty(3, all(start.velocity_m_s), pose);
-        filter.add_uncertainty(6, Vector::new(start.level_rad, start.level_rad, heading_rad), pose);
+        filter.add_uncertainty(0, all(position_m), pose);
+        filter.add_uncertainty(3, all(velocity_m_s), pose);
+        filter.add_uncertainty(6, Vector::new(level_rad, level_rad, heading_rad), pose);
         filter
     }
 

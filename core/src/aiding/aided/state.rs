@@ -1,5 +1,6 @@
 //! The state of an aided navigator: `Copy`, in the record list, and checked after it was restored.
 
+use super::heading::Anchor;
 use super::instant::Instant;
 use super::locality::Reference;
 use super::measured::{Kind, Sensor};
@@ -67,6 +68,9 @@ pub struct AidedState<
     pub(super) queue: Queue<M::Real, Q>,
     pub(super) taken: Taken<M::Real, Q>,
     pub(super) search: Search<M::Real>,
+    /// Position, velocity and level corrected since the filter started, in any direction: m, m/s, rad.
+    pub(super) corrected: [M::Real; 3],
+    pub(super) anchor: Anchor<M::Real>,
     pub(super) tallies: [Tally<M::Real>; 5],
     pub(super) transport: Transport,
 }

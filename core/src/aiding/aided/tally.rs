@@ -18,6 +18,8 @@ pub struct Tally<R> {
     watch: Watch<R>,
     /// Components of the accepted vectors.
     degrees: u32,
+    /// Vectors that did not fit while the heading was looked for.
+    again: u32,
 }
 
 impl<R: Real> Tally<R> {
@@ -44,6 +46,17 @@ impl<R: Real> Tally<R> {
     /// Components of the accepted vectors: what Σ NIS should be, about.
     pub fn degrees(&self) -> u32 {
         self.degrees
+    }
+
+    /// Vectors that did not fit while the heading was looked for, so that the filter started again. They are neither
+    /// accepted nor refused.
+    pub fn again(&self) -> u32 {
+        self.again
+    }
+
+    /// Counts one of these.
+    pub(super) fn note_again(&mut self) {
+        self.again = self.again.saturating_add(1);
     }
 
     /// Counts one; the result says whether it completes a lockout.
@@ -75,7 +88,7 @@ pub struct Transport {
 }
 
 impl<R: Record> Record for Tally<R> {
-    record!(watch, degrees);
+    record!(watch, degrees, again);
 }
 
 impl Record for Transport {

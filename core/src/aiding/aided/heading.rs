@@ -6,6 +6,7 @@
 //! measured one: the angle between both is the error of the heading. If they are too short to tell it, position and
 //! velocity are set to what is measured, and the heading waits.
 
+use super::anchor::Anchor;
 use super::instant::Instant;
 use super::measured::{Kind, Measured};
 use super::moment::Moment;
@@ -28,21 +29,6 @@ use crate::strapdown::mechanization::Mechanization;
 const GOOD: f64 = 0.3;
 /// What a tilt adds to a velocity, m/s² per rad.
 const GRAVITY: f64 = 9.8;
-
-/// The velocity at the last measurement of it, after its correction; before the first, that of the start.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Anchor<R> {
-    /// Samples at that time.
-    pub samples: u64,
-    pub velocity_ned: Vector<R>,
-    /// Its standard deviation, m/s.
-    pub sigma: R,
-}
-
-impl<R: crate::record::Record> crate::record::Record for Anchor<R> {
-    crate::record::record!(samples, velocity_ned, sigma);
-}
 
 /// The angle about down from a true change of velocity to the computed one, with its standard deviation, rad; nothing if
 /// they are too short for their noise, or not of the same length.

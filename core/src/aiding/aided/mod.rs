@@ -16,6 +16,7 @@
 //! | `step` | the filter's step, and the measurements that are due |
 //! | `take` | a measurement taken: expectation, verdict, feedback |
 //! | `heading` | a heading that is not known at the start |
+//! | `anchor` | a velocity to compare the next one with |
 //! | `path` | a measurement taken to the present |
 //! | `spread` | the covariance in north, east and down |
 //! | [`state`] | the state, and its record |
@@ -28,6 +29,7 @@
 //! noise of the steps in between. With a horizon, measurements wait for each other and are taken in the order of
 //! their times: then every bit is the same however they were transported, unless one comes later than the horizon.
 
+mod anchor;
 mod expected;
 pub mod fault;
 mod heading;

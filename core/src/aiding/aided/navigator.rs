@@ -35,8 +35,8 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 
+use super::anchor::Anchor;
 use super::fault::AidedFault;
-use super::heading::Anchor;
 use super::instant::Instant;
 use super::locality::Reference;
 use super::measured::Measured;
@@ -114,7 +114,7 @@ where
     /// [`AidedFault::Start`] if the mechanization cannot start.
     pub fn start(&self, initial: &Solution<R>) -> Result<AidedState<M, N, P, E, L, Q>, AidedFault> {
         let navigator = self.mechanization.start(initial).map_err(|_| AidedFault::Start)?;
-        let solution = self.mechanization.output(&navigator).solution();
+        let solution = self.mechanization.output(&navigator).precise();
         let heading = self.settings.start.heading_rad;
         let entry = Entry::new(0, &solution, Vector::ZERO, &Stretch::NONE, &Fading::NONE);
         Ok(AidedState {
@@ -201,7 +201,7 @@ where
 
     /// The same in local axes.
     pub fn solution(&self, state: &AidedState<M, N, P, E, L, Q>) -> Solution<R> {
-        self.output(state).solution()
+        self.output(state).precise()
     }
 
     /// The settings.

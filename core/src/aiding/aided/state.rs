@@ -1,6 +1,6 @@
 //! The state of an aided navigator: `Copy`, in the record list, and checked after it was restored.
 
-use super::heading::Anchor;
+use super::anchor::Anchor;
 use super::instant::Instant;
 use super::locality::Reference;
 use super::measured::{Kind, Sensor};

@@ -53,7 +53,8 @@ pub struct Line<R> {
     pub loss: R,
     /// How probably one arrives twice.
     pub repetition: R,
-    outages: [Option<Outage<R>>; MOST_OUTAGES],
+    /// When there are none.
+    pub outages: [Option<Outage<R>>; MOST_OUTAGES],
 }
 
 /// The state of a line.

@@ -10,6 +10,7 @@
 //! | [`navigator`], [`lanes`], [`ensemble`], [`twin`] | the core's navigators: one, many abreast, a target's copy |
 //! | [`rounding`] | flights that round at random |
 //! | [`plan`], [`lively`], [`timing`] | the window for a scene, and what a stage costs |
+//! | [`alignment`], [`aided`] | what comes before navigation, and what aids it |
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`portrait`], [`formats`] | what a motion is like, and its path for other tools |
@@ -17,6 +18,7 @@
 //! | [`mod@reference`] | positions of others: a reference, way-points |
 //! | [`allan`], [`datasheet`] | sensors identified by their Allan deviation, or by their data sheet |
 
+pub mod aided;
 pub mod alignment;
 pub mod allan;
 pub mod course;

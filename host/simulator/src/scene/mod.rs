@@ -2,6 +2,7 @@
 //!
 //! `parse` reads it from TOML, `builtin` holds the scenes that come with the program.
 
+pub mod aiding;
 pub mod alignment;
 pub mod build;
 pub mod builtin;
@@ -18,6 +19,7 @@ pub mod window;
 use crate::course::Path;
 use crate::input::document::{Document, did_you_mean};
 use crate::input::{Complaint, InputError, read_text};
+pub use aiding::{Aiding, Filtering};
 pub use alignment::{Alignment, Base};
 pub use navigator::{Gap, Link, Navigator, Vertical};
 pub use schuler::flight::configuration::{Algorithm, Axes, Precision};
@@ -51,6 +53,8 @@ pub struct Scene {
     pub accelerometer: SensorErrors,
     /// What the navigator's start is off by.
     pub initial_error: InitialError,
+    /// What aids the navigator.
+    pub aiding: Aiding,
     /// The alignment that navigation begins with, if any.
     pub alignment: Option<Alignment>,
     /// How it is navigated.

@@ -66,6 +66,6 @@ fn fly(
     let (flight, end) = simulation.fly_as_far(&mut row, &|sample| progress.reach(sample))?;
     progress.finish();
     let messages = messages.map(Messages::into_file).transpose()?;
-    files.finish(&flight, messages.into_iter().collect())?;
+    files.finish(&flight, messages.into_iter().collect(), None)?;
     Ok((flight, end))
 }

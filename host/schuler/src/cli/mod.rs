@@ -127,7 +127,7 @@ pub struct RunArgs {
 impl RunArgs {
     /// What is written of it.
     pub fn wanted(&self) -> Wanted {
-        Wanted { every: self.every, report: !self.no_report, rows: self.rows }
+        Wanted { every: self.every, report: !self.no_report, rows: self.rows, run: self.number }
     }
 
     /// The scene, with every option applied.
@@ -177,7 +177,7 @@ pub struct FrontierArgs {
     /// Fly shorter scenes and repeat less
     #[arg(long)]
     pub quick: bool,
-    /// Folder for frontier.csv and frontier.png [default: out/frontier]
+    /// Folder for frontier.csv, frontier.png and frontier.html [default: out/frontier]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
@@ -194,7 +194,7 @@ pub struct StressArgs {
     /// Only the cases with this in their name
     #[arg(long, value_name = "NAME")]
     pub case: Option<String>,
-    /// Folder for stress.csv
+    /// Folder for stress.csv and stress.html
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

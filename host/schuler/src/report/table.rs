@@ -11,6 +11,8 @@ const ROWS: usize = 12;
 const NOTHING: &str = "–";
 /// Characters of theory's mean ± 1σ.
 const THEORY_WIDTH: usize = 13;
+/// Characters of a column that has errors alone.
+const ALONE: usize = 12;
 
 /// A column: one number of [`Nine`], in a unit that suits the whole run.
 pub struct Column {
@@ -99,39 +101,68 @@ pub fn rows_of<'a>(overview: &'a [Instant], last: &'a Instant) -> Vec<&'a Instan
     rows
 }
 
-/// The table for a terminal, 120 columns at most, with a verdict below it.
+/// Columns of a block with theory beside the errors, and without.
+const BLOCKS: [usize; 2] = [3, 5];
+
+/// The table for a terminal, 80 columns at most, with a verdict below it. Where theory expects nothing, the errors stand
+/// alone.
 pub fn table(flight: &Flight) -> String {
     let columns = columns(flight);
-    let whole_s = flight.last.time_s >= 1000.0;
-    let mut lines = vec![format!("{:>6} ", "time"), format!("{:>6} ", "s"), "─".repeat(7)];
-    for column in &columns {
-        let (error, theory) = (column.width(), THEORY_WIDTH);
-        let width = error + 1 + theory;
-        let bars = if column.is_norm { "|" } else { "" };
-        let heading = format!("{bars}{}{bars} {}", column.name, column.unit.name);
-        lines[0] += &format!("│ {heading:^width$} ");
-        lines[1] += &format!("│ {:>error$} {:>theory$} ", "error", "mean ± 1σ  ");
-        lines[2] += &format!("┼{}", "─".repeat(width + 2));
+    let rows = rows(flight);
+    let is_expected = rows.iter().any(|instant| expects(instant));
+    let mut lines = Vec::new();
+    for block in columns.chunks(BLOCKS[usize::from(!is_expected)]) {
+        lines.extend(self::block(block, &rows, is_expected, flight.last.time_s >= 1000.0));
+        lines.push(String::new());
     }
-    for instant in rows(flight) {
-        let decimals = if whole_s { 0 } else { 2 };
-        let mut line = format!("{:>6.decimals$} ", instant.time_s);
-        for column in &columns {
-            let [error, mean, sigma] = column.cells(instant);
-            let theory = match sigma.as_str() {
-                NOTHING => format!("{NOTHING:^THEORY_WIDTH$}"),
-                _ => format!("{mean:>5} ± {sigma:<5}"),
-            };
-            line += &format!("│ {error:>w$} {theory} ", w = column.width());
-        }
-        lines.push(line);
-    }
-    lines.push(String::new());
     lines.extend(super::ended(flight));
     lines.extend(verdict(flight));
     lines.extend(edges(flight));
     lines.extend(unit_note(&columns));
     lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// Whether theory says anything but zero of an instant.
+fn expects(instant: &Instant) -> bool {
+    let numbers = [instant.mean, instant.sigma].map(|nine| nine.numbers());
+    numbers.iter().flatten().any(|number| *number != 0.0)
+}
+
+fn block(columns: &[Column], rows: &[&Instant], is_expected: bool, whole_s: bool) -> Vec<String> {
+    let mut lines = vec![format!("{:>6} ", "time"), format!("{:>6} ", "s"), "─".repeat(7)];
+    if !is_expected {
+        lines.remove(1);
+        lines[0] = format!("{:>6} ", "time s");
+    }
+    let last = lines.len() - 1;
+    for column in columns {
+        let (error, theory) = (column.width(), THEORY_WIDTH);
+        let width = if is_expected { error + 1 + theory } else { ALONE };
+        let bars = if column.is_norm { "|" } else { "" };
+        let heading = format!("{bars}{}{bars} {}", column.name, column.unit.name);
+        lines[0] += &format!("│ {heading:^width$} ");
+        if is_expected {
+            lines[1] += &format!("│ {:>error$} {:>theory$} ", "error", "mean ± 1σ  ");
+        }
+        lines[last] += &format!("┼{}", "─".repeat(width + 2));
+    }
+    for instant in rows {
+        let decimals = if whole_s { 0 } else { 2 };
+        let mut line = format!("{:>6.decimals$} ", instant.time_s);
+        for column in columns {
+            let [error, mean, sigma] = column.cells(instant);
+            let theory = match sigma.as_str() {
+                NOTHING => format!("{NOTHING:^THEORY_WIDTH$}"),
+                _ => format!("{mean:>5} ± {sigma:<5}"),
+            };
+            line += &match is_expected {
+                true => format!("│ {error:>w$} {theory} ", w = column.width()),
+                false => format!("│ {error:>w$} ", w = ALONE),
+            };
+        }
+        lines.push(line);
+    }
+    lines
 }
 
 /// How long the windows were that stand at an edge, if any did.
@@ -235,7 +266,7 @@ mod tests {
     fn shows_a_dozen_times_with_theory_beside() {
         let flight = sample::flight();
         let text = table(&flight);
-        assert!(widest(&text) <= 120, "{}\n{text}", widest(&text));
+        assert!(widest(&text) <= 80, "{}\n{text}", widest(&text));
         let times: Vec<f64> =
             rows(&flight).iter().map(|instant| (instant.time_s / 10.0).round() * 10.0).collect();
         assert_eq!(times, (1..=12).map(|k| 150.0 * f64::from(k)).collect::<Vec<_>>());
@@ -246,24 +277,25 @@ mod tests {
                 .map(|(nine, digits)| rounded(nine.position_m[2], digits));
         let plain = |cell: &str| cell.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(plain(cells[3]), format!("{down} {mean} ± {sigma}"));
-        assert_eq!(
-            plain(cells[4]).split(' ').next().unwrap(),
-            rounded(norm(flight.last.drift.velocity_m_s), 4)
-        );
+        let velocity = rounded(norm(flight.last.drift.velocity_m_s), 4);
+        let below = text.lines().rfind(|line| line.trim_start().starts_with("1800")).unwrap();
+        let cells: Vec<&str> = below.split('│').map(str::trim).collect();
+        assert_eq!(plain(cells[1]).split(' ').next().unwrap(), velocity);
         let bars = |line: &str| -> Vec<usize> {
             line.chars().enumerate().filter(|(_, c)| "│┼".contains(*c)).map(|(i, _)| i).collect()
         };
         let lines: Vec<_> = text.lines().take(3 + ROWS).map(bars).collect();
-        assert!(lines.iter().all(|columns| columns.len() == 5 && *columns == lines[0]), "{text}");
+        assert!(lines.iter().all(|columns| columns.len() == 3 && *columns == lines[0]), "{text}");
     }
 
     #[test]
     fn stays_aligned_from_nanometres_to_megametres() {
         for scale in [1e-13, 1e-9, 1e-3, 1.0, 1e3] {
             let text = table(&sample::scaled(scale));
-            assert!(widest(&text) <= 120, "{scale}: {}\n{text}", widest(&text));
+            assert!(widest(&text) <= 80, "{scale}: {}\n{text}", widest(&text));
         }
         let text = table(&sample::perfect());
+        assert!(!text.contains('±') && widest(&text) <= 80, "{text}");
         assert!(text.contains("north nm") && text.ends_with("pas is 1e-12 arcsec.\n"), "{text}");
     }
 

@@ -1,0 +1,302 @@
+//! Charts that a reader works with in a page: zoom, values under the cursor, layers that can be hidden, files.
+
+use crate::canvas::Ink;
+use crate::chart::Chart;
+use crate::packed::{packed, quoted};
+use crate::svg::escape;
+
+/// One direction of a chart.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scale {
+    /// What is shown.
+    pub label: String,
+    /// Its unit; empty without one.
+    pub unit: String,
+    /// In decades.
+    pub log: bool,
+    /// From zero on, at least.
+    pub zero: bool,
+    /// What is shown at first; unset, what the data span.
+    pub range: Option<[f64; 2]>,
+}
+
+impl Scale {
+    /// Of something in a unit.
+    pub fn new(label: &str, unit: &str) -> Self {
+        Self { label: label.to_owned(), unit: unit.to_owned(), ..Self::default() }
+    }
+
+    /// The same in decades.
+    pub fn log(self) -> Self {
+        Self { log: true, ..self }
+    }
+
+    /// The same with zero in sight.
+    pub fn from_zero(self) -> Self {
+        Self { zero: true, ..self }
+    }
+
+    /// By a label that ends with its unit, as in "time, s".
+    fn labelled(text: &str) -> Self {
+        let (label, unit) = text.rsplit_once(", ").unwrap_or(("", text));
+        Self::new(label, unit)
+    }
+
+    fn json(&self) -> String {
+        let Self { label, unit, log, zero, range } = self;
+        let range = range.map_or("null".to_owned(), |[from, to]| format!("[{from:e},{to:e}]"));
+        let [label, unit] = [label, unit].map(|text| quoted(text));
+        format!(
+            "{{\"label\":{label},\"unit\":{unit},\"log\":{log},\"zero\":{zero},\"range\":{range}}}"
+        )
+    }
+}
+
+/// How a layer is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kind {
+    /// Through its points.
+    Line {
+        /// Pixels.
+        width: f32,
+        /// In dashes.
+        dashed: bool,
+    },
+    /// The space between two edges, of an opacity.
+    Band(f32),
+    /// The area that a dense line fills.
+    Envelope,
+    /// Discs; rings where `ring` is set.
+    Dots {
+        /// Pixels.
+        radius: f32,
+        /// Hollow.
+        ring: bool,
+        /// 0 to 1.
+        opacity: f32,
+    },
+    /// Upright strokes.
+    Bars,
+    /// Discs with their names beside them.
+    Marks,
+}
+
+/// One thing of a chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// What it is; empty for what needs no mention.
+    pub name: String,
+    /// Its colour.
+    pub ink: Ink,
+    /// How it is drawn.
+    pub kind: Kind,
+    /// x, and the greatest and the least y.
+    pub points: Vec<[f64; 3]>,
+    /// A name for each point, or nothing.
+    pub labels: Vec<String>,
+}
+
+impl Layer {
+    /// Of edges, or of points that are high as they are low.
+    pub fn new(name: &str, ink: Ink, kind: Kind, points: Vec<[f64; 3]>) -> Self {
+        Self { name: name.to_owned(), ink, kind, points, labels: Vec::new() }
+    }
+
+    /// Through points.
+    pub fn line(name: &str, ink: Ink, points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        let points = points.into_iter().map(|[x, y]| [x, y, y]).collect();
+        Self::new(name, ink, Kind::Line { width: 1.6, dashed: false }, points)
+    }
+
+    /// The same in dashes.
+    pub fn dashes(name: &str, ink: Ink, points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        Self { kind: Kind::Line { width: 1.3, dashed: true }, ..Self::line(name, ink, points) }
+    }
+
+    /// Discs at points.
+    pub fn dots(
+        name: &str,
+        ink: Ink,
+        radius: f32,
+        points: impl IntoIterator<Item = [f64; 2]>,
+    ) -> Self {
+        let kind = Kind::Dots { radius, ring: false, opacity: 1.0 };
+        Self { kind, ..Self::line(name, ink, points) }
+    }
+
+    fn json(&self) -> String {
+        let column =
+            |i: usize| packed(&self.points.iter().map(|point| point[i]).collect::<Vec<_>>());
+        let kind = match self.kind {
+            Kind::Line { width, dashed } => {
+                format!("\"kind\":\"line\",\"width\":{width},\"dashed\":{dashed}")
+            }
+            Kind::Band(opacity) => format!("\"kind\":\"band\",\"opacity\":{opacity}"),
+            Kind::Envelope => "\"kind\":\"envelope\"".to_owned(),
+            Kind::Dots { radius, ring, opacity } => {
+                format!(
+                    "\"kind\":\"dots\",\"radius\":{radius},\"ring\":{ring},\"opacity\":{opacity}"
+                )
+            }
+            Kind::Bars => "\"kind\":\"bars\"".to_owned(),
+            Kind::Marks => "\"kind\":\"marks\",\"radius\":3.5".to_owned(),
+        };
+        let is_flat = self.points.iter().all(|[_, high, low]| high == low || high.is_nan());
+        let low = if is_flat { String::new() } else { format!(",\"low\":{}", column(2)) };
+        let labels = self.labels.iter().map(|label| quoted(label)).collect::<Vec<_>>().join(",");
+        let labels = if labels.is_empty() { labels } else { format!(",\"labels\":[{labels}]") };
+        format!(
+            "{{\"name\":{},\"ink\":\"{}\",{kind},\"x\":{},\"high\":{}{low}{labels}}}",
+            quoted(&self.name),
+            self.ink.name(),
+            column(0),
+            column(1)
+        )
+    }
+}
+
+/// A chart in a page.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interactive {
+    /// Above it.
+    pub title: String,
+    /// To the right.
+    pub x: Scale,
+    /// Upward.
+    pub y: Scale,
+    /// Whether a unit is to be as long upward as to the right, under a scale bar, north up.
+    pub is_map: bool,
+    /// Drawn one over the other.
+    pub layers: Vec<Layer>,
+    /// Charts of the same one share their cursor and their zoom.
+    pub cursor: Option<&'static str>,
+    /// Whether the cursor tells the nearest point rather than all layers.
+    pub is_nearest: bool,
+    /// Pixels.
+    pub height: u32,
+    /// Over two columns of three.
+    pub is_wide: bool,
+}
+
+impl Interactive {
+    /// With nothing in it yet.
+    pub fn new(title: &str, x: Scale, y: Scale) -> Self {
+        Self {
+            title: title.to_owned(),
+            x,
+            y,
+            is_map: false,
+            layers: Vec::new(),
+            cursor: None,
+            is_nearest: false,
+            height: 250,
+            is_wide: false,
+        }
+    }
+
+    /// What a chart for paper shows, on a scale of its own: from zero where the chart begins there.
+    pub fn of(chart: Chart) -> Self {
+        let Chart { title, x, y, is_map, bands, curves, marks } = chart;
+        let mut layers = Vec::new();
+        for band in bands {
+            layers.push(Layer::new(band.name, band.ink, Kind::Band(band.opacity), band.edges));
+        }
+        for curve in curves {
+            let kind = Kind::Line { width: curve.stroke.width, dashed: curve.stroke.dashed };
+            layers.push(Layer { kind, ..Layer::line(curve.name, curve.ink, curve.points) });
+        }
+        if !marks.is_empty() {
+            let mut layer = Layer::line("", Ink::Text, marks.iter().map(|mark| mark.at));
+            layer.kind = Kind::Marks;
+            layer.labels = marks.into_iter().map(|mark| mark.name).collect();
+            layers.push(layer);
+        }
+        let zero = y.from == 0.0;
+        let y = Scale { zero, ..Scale::labelled(&y.label) };
+        let height = if is_map { 400 } else { 250 };
+        Self { is_map, layers, height, ..Self::new(&title, Scale::labelled(&x.label), y) }
+    }
+
+    /// The same with another layer on top.
+    pub fn with(mut self, layer: Layer) -> Self {
+        self.layers.push(layer);
+        self
+    }
+
+    /// The same that shares its cursor.
+    pub fn sharing(self, cursor: &'static str) -> Self {
+        Self { cursor: Some(cursor), ..self }
+    }
+
+    /// The same over two columns, so high.
+    pub fn wide(self, height: u32) -> Self {
+        Self { is_wide: true, height, ..self }
+    }
+
+    /// A figure of a page.
+    pub fn html(&self) -> String {
+        let Self { title, x, y, is_map, layers, cursor, is_nearest, height, is_wide } = self;
+        let layers = layers.iter().filter(|layer| !layer.points.is_empty());
+        let layers: Vec<String> = layers.map(Layer::json).collect();
+        let cursor = cursor.map_or("null".to_owned(), quoted);
+        let class = if *is_wide { "plot wide" } else { "plot" };
+        format!(
+            "<figure class=\"{class}\"><figcaption>{0}</figcaption>\
+             <div class=\"draw\" role=\"img\" tabindex=\"0\" style=\"min-height:{height}px\" \
+             aria-label=\"{0}. Keys: plus and minus zoom, arrows move, 0 shows the whole\"></div>\
+             <script type=\"application/json\">{{\"title\":{1},\"x\":{2},\"y\":{3},\"map\":{is_map},\
+             \"near\":{is_nearest},\"cursor\":{cursor},\"height\":{height},\"layers\":[{4}]}}</script></figure>\n",
+            escape(title),
+            quoted(title),
+            x.json(),
+            y.json(),
+            layers.join(",")
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::axis::Axis;
+    use crate::canvas::Stroke;
+    use crate::chart::{Band, Curve, Mark};
+
+    #[test]
+    fn a_chart_for_paper_keeps_what_it_shows() {
+        let chart = Chart {
+            title: "Height <of> it, m".to_owned(),
+            x: Axis::spanning("time, min", [0.0, 2.0], false),
+            y: Axis::spanning("m", [0.0, 4.0], false),
+            is_map: false,
+            bands: vec![Band {
+                name: "±3σ",
+                ink: Ink::North,
+                opacity: 0.2,
+                edges: vec![[0.0, 1.0, -1.0]; 2],
+            }],
+            curves: vec![Curve {
+                name: "error",
+                ink: Ink::East,
+                stroke: Stroke::solid(2.0),
+                points: vec![[0.0, 1.0], [1.0, 5.0], [2.0, 4.0]],
+            }],
+            marks: vec![Mark { name: "end".to_owned(), at: [2.0, 4.0] }],
+        };
+        let html = Interactive::of(chart).sharing("time").html();
+        for part in [
+            "<figcaption>Height &lt;of&gt; it, m</figcaption>",
+            "\"title\":\"Height \\u003cof\\u003e it, m\"",
+            "\"x\":{\"label\":\"time\",\"unit\":\"min\",\"log\":false,\"zero\":false,\"range\":null}",
+            "\"y\":{\"label\":\"\",\"unit\":\"m\",\"log\":false,\"zero\":true,\"range\":null}",
+            "\"cursor\":\"time\"",
+            "{\"name\":\"±3σ\",\"ink\":\"north\",\"kind\":\"band\",\"opacity\":0.2,\"x\":[0e0,0e0,2],\
+             \"high\":[1e0,1e0,2],\"low\":[-1e0,-1e0,2]}",
+            "{\"name\":\"error\",\"ink\":\"east\",\"kind\":\"line\",\"width\":2,\"dashed\":false,\
+             \"x\":[0e0,2e0,3],\"high\":\"AACAPwAAoEAAAIBA\"}",
+            "\"kind\":\"marks\",\"radius\":3.5,\"x\":\"AAAAQA==\",\"high\":\"AACAQA==\",\"labels\":[\"end\"]",
+        ] {
+            assert!(html.contains(part), "{part} in {html}");
+        }
+    }
+}

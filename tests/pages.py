@@ -79,6 +79,8 @@ def used(name, page):
         if shares > 1 and len(told) < shares:
             fault(name, f"{shares} charts share a cursor, {len(told)} tell values")
     whole = scale(page, 0)
+    if None in whole:
+        return fault(name, "the first chart has no scale")
     page.mouse.move(*at(0.3, 0.3))
     page.mouse.down()
     page.mouse.move(*at(0.45, 0.6))

@@ -52,10 +52,10 @@ make frontier 0 frontier --quick --scene stationary --scene coning --rate 50 --o
 make stress 0 stress --case coning --out stress
 make hil 0 hil paper --duration 60 --faults all=0.02 --out hil
 make stream 0 hil paper --duration 3 --stream --out stream
-make record 0 audit record stationary --duration 20 --configuration local-level-f64-taylor-2-4-2 --out chains
+chain=f64-local-level-taylor-2-4-2
+make record 0 audit record paper --duration 5 --configuration "$chain" --out chains
 make verify 0 audit verify chains --out verify
-sed 's/^seed.*/seed = 2/' chains/stationary.toml >/dev/null 2>&1 || true
-make other 0 audit record stationary --duration 20 --rate 21 --configuration local-level-f64-taylor-2-4-2 --out others
+make other 0 audit record paper --duration 5 --seed 2 --configuration "$chain" --out others
 make compare 1 audit compare chains others --out compare
 make sensitivity 0 audit sensitivity paper --duration 60 --out sensitivity
 

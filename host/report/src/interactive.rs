@@ -174,8 +174,22 @@ pub struct Interactive {
     pub is_nearest: bool,
     /// Pixels.
     pub height: u32,
-    /// Over two columns of three.
-    pub is_wide: bool,
+    /// Of the page's width.
+    pub width: Width,
+}
+
+/// How much of a page's width a chart takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Width {
+    /// A third.
+    #[default]
+    Third,
+    /// A half.
+    Half,
+    /// Two thirds.
+    TwoThirds,
+    /// All of it.
+    Whole,
 }
 
 impl Interactive {
@@ -190,7 +204,7 @@ impl Interactive {
             cursor: None,
             is_nearest: false,
             height: 250,
-            is_wide: false,
+            width: Width::default(),
         }
     }
 
@@ -228,18 +242,23 @@ impl Interactive {
         Self { cursor: Some(cursor), ..self }
     }
 
-    /// The same over two columns, so high.
-    pub fn wide(self, height: u32) -> Self {
-        Self { is_wide: true, height, ..self }
+    /// The same of a width, and so high.
+    pub fn sized(self, width: Width, height: u32) -> Self {
+        Self { width, height, ..self }
     }
 
     /// A figure of a page.
     pub fn html(&self) -> String {
-        let Self { title, x, y, is_map, layers, cursor, is_nearest, height, is_wide } = self;
+        let Self { title, x, y, is_map, layers, cursor, is_nearest, height, width } = self;
         let layers = layers.iter().filter(|layer| !layer.points.is_empty());
         let layers: Vec<String> = layers.map(Layer::json).collect();
         let cursor = cursor.map_or("null".to_owned(), quoted);
-        let class = if *is_wide { "plot wide" } else { "plot" };
+        let class = match width {
+            Width::Third => "plot",
+            Width::Half => "plot half",
+            Width::TwoThirds => "plot wide",
+            Width::Whole => "plot whole",
+        };
         format!(
             "<figure class=\"{class}\"><figcaption>{0}</figcaption>\
              <div class=\"draw\" role=\"img\" tabindex=\"0\" style=\"min-height:{height}px\" \

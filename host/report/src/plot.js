@@ -20,7 +20,13 @@ const tick = (value, step) => {
   if (decimals > 6 || Math.abs(value) >= 1e7) return say(value, 4);
   return minus(value.toFixed(decimals));
 };
-const power = value => value == null ? null : value >= 0.01 && value < 1e4 ? minus(String(+value.toPrecision(3))) : say(value, 3);
+// One on a scale of decades: whole multiples of powers of ten.
+const power = value => {
+  if (value == null) return null;
+  const digit = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
+  if (Math.abs(digit - Math.round(digit)) > 1e-6) return null;
+  return value >= 0.01 && value < 1e4 ? String(+value.toPrecision(3)) : say(value, 3);
+};
 
 // Numbers: first, last and count of equal steps, or singles in base 64.
 const numbers = code => {
@@ -98,7 +104,7 @@ class Plot {
   }
 
   size() {
-    const width = root.dataset.print === undefined ? this.place.clientWidth : this.figure.matches(".wide") ? 650 : 315;
+    const width = root.dataset.print === undefined ? this.place.clientWidth : this.figure.matches(".wide, .whole") ? 640 : 310;
     return { width: Math.max(200, width), height: this.spec.height };
   }
 
@@ -390,7 +396,7 @@ class Plot {
       const button = document.createElement("button");
       const swatch = document.createElement("i");
       swatch.className = `i-${layer.ink} ${layer.kind}${layer.dashed ? " dashed" : ""}`;
-      swatch.style.opacity = layer.kind === "band" ? Math.min(1, 2 * layer.opacity) : 1;
+      swatch.style.opacity = layer.kind === "band" ? Math.min(1, layer.opacity + 0.15) : 1;
       button.append(swatch, layer.name);
       button.setAttribute("aria-pressed", "true");
       button.addEventListener("click", () => {
@@ -418,6 +424,8 @@ class Plot {
   // With the ranges that follow from what is shown, in the colours of the page.
   redraw() {
     const { min, max } = this.u.scales.x;
+    // Before it is drawn for the first time, that is still to come.
+    if (min == null) return;
     if (this.whole) this.u.setScale("x", { min: this.full[0], max: this.full[1] });
     else this.u.setScale("x", { min, max });
   }

@@ -16,6 +16,7 @@ use std::path::Path;
 pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     let directory = args.folder(&scene);
+    report::files::tell_replaced(&directory);
     let (flight, end) = fly(args, &scene, &directory).inspect_err(|_| {
         if let Some(note) = report::files::of_earlier(&directory) {
             eprintln!("{note}");

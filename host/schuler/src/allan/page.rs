@@ -4,7 +4,7 @@ use super::Axis;
 use super::table::{RATES, bounds};
 use crate::report::{figures, head};
 use schuler_report::canvas::Ink;
-use schuler_report::interactive::{Interactive, Kind, Layer, Scale};
+use schuler_report::interactive::{Interactive, Kind, Layer, Scale, Width};
 use schuler_report::page;
 use schuler_report::svg::escape;
 use schuler_simulator::allan::TRIADS;
@@ -42,7 +42,8 @@ fn chart(triad: usize, three: &[Option<Axis>]) -> Interactive {
     let (unit, symbol) = RATES[triad];
     let title = format!("{}: Allan deviation, {symbol}", TRIADS[triad]);
     let (x, y) = (Scale::new("averaging time", "s"), Scale::new("deviation", symbol));
-    let mut chart = Interactive::new(&title, x.log(), y.log()).sharing("averaging").wide(460);
+    let mut chart =
+        Interactive::new(&title, x.log(), y.log()).sharing("averaging").sized(Width::Half, 420);
     for (place, axis) in three.iter().enumerate() {
         let Some(axis) = axis else { continue };
         let (ink, name) = (INKS[place], AXES[place]);

@@ -44,6 +44,7 @@ use chain::Chain;
 use configuration::Named as _;
 use page::Top;
 use schuler::flight::configuration::Configuration;
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator::stepping;
 use schuler_simulator::output::{self, say};
@@ -152,7 +153,7 @@ fn compare(args: &CompareArgs) -> Result<(), FlightError> {
     let rules: Vec<_> = args.ulps.iter().chain(&args.within).cloned().collect();
     let mut found = Vec::new();
     for (name, a, b) in &pairs {
-        let (a, b) = (a.display().to_string(), b.display().to_string());
+        let (a, b) = (name_of(a), name_of(b));
         let (one, other) = (Chain::read(&a)?, Chain::read(&b)?);
         let heads = heads::contradictions(&one, &other);
         say(&show::heads(&heads))?;

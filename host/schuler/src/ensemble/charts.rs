@@ -7,7 +7,7 @@ use schuler_report::axis::Axis;
 use schuler_report::canvas::{Ink, Stroke};
 use schuler_report::chart::{Band, Chart, Curve};
 use schuler_report::ellipse::outline;
-use schuler_report::interactive::{Interactive, Kind, Layer, Scale};
+use schuler_report::interactive::{Interactive, Kind, Layer, Scale, Width};
 use schuler_simulator::ensemble::budget::Contribution;
 use schuler_simulator::number::{Quantity, Unit};
 
@@ -249,7 +249,7 @@ pub fn stack(findings: &Findings, names: &[&str], by_runs: bool) -> Option<Inter
             curves: Vec::new(),
             marks: Vec::new(),
         };
-        let mut chart = Interactive::of(chart).sharing("time").wide(320);
+        let mut chart = Interactive::of(chart).sharing("time").sized(Width::Half, 320);
         chart.y.range = Some([0.0, 100.0]);
         for (layer, name) in chart.layers.iter_mut().zip(names) {
             layer.name = (*name).to_owned();

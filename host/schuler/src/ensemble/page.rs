@@ -6,7 +6,7 @@ use super::{charts, figures};
 use crate::report::{figures as drawing, head};
 use schuler_report::axis::printed;
 use schuler_report::chart::Chart;
-use schuler_report::interactive::Interactive;
+use schuler_report::interactive::{Interactive, Width};
 use schuler_report::page::{self, panel};
 use schuler_report::svg::escape;
 use schuler_simulator::number::{Quantity, parameter, rounded, short};
@@ -71,7 +71,9 @@ fn about_the_truth(outcome: &Outcome) -> String {
     let findings = outcome.findings;
     let Some((map, each)) = charts::scatter(findings) else { return String::new() };
     let each = if each > 1 { format!(" A dot is one run in {each}.") } else { String::new() };
-    let time = Interactive::of(charts::accuracy(findings)).sharing("time").wide(map.height);
+    let time = Interactive::of(charts::accuracy(findings))
+        .sharing("time")
+        .sized(Width::TwoThirds, map.height);
     let cell = |figure: &Figure| {
         let theory = if figure.theory.is_nan() { "–".to_owned() } else { short(figure.theory) };
         let interval = figure.runs.interval;

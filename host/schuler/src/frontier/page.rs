@@ -5,7 +5,7 @@ use super::case::{Case, Method};
 use super::table::{by_scene, front_of};
 use crate::report::{figures, head};
 use schuler_report::canvas::Ink;
-use schuler_report::interactive::{Interactive, Kind, Layer, Scale};
+use schuler_report::interactive::{Interactive, Kind, Layer, Scale, Width};
 use schuler_report::page::{framed, page_with};
 use schuler_report::svg::escape;
 use schuler_simulator::number::parameter;
@@ -49,7 +49,7 @@ fn chart(scene: &[&Point]) -> Interactive {
     });
     let x = Scale::new("time per second of flight", "µs").log();
     let mut chart = Interactive::new(&title, x, Scale::new("position error", "m").log());
-    chart = chart.wide(420);
+    chart = chart.sized(Width::Whole, 460);
     (chart.is_nearest, chart.cursor) = (true, None);
     let at = |point: &Point| [point.cost_us_per_s(), point.max_position_m];
     // What a given time buys: the error stays until the next point is affordable.

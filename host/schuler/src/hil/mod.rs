@@ -39,6 +39,7 @@ use schuler::link::message::VERSION;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
 use schuler_simulator::flight::{Flight, LinkReport};
+use schuler_simulator::input::name::path_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator;
 use schuler_simulator::output::say;
@@ -72,7 +73,9 @@ pub struct Manner {
 /// files of `run`.
 pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
-    let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
+    let directory =
+        args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(path_of(&scene.name)));
+    report::files::tell_replaced(&directory);
     let log = Log::default();
     let (flight, end) = fly_to_files(args, &scene, &directory, &log).inspect_err(|_| {
         if let Some(note) = report::files::of_earlier(&directory) {
@@ -92,7 +95,7 @@ fn fly_to_files(
     directory: &Path,
     log: &Log,
 ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
-    let channel = args.device.open(&args.image)?;
+    let channel = args.device.open(args.image()?)?;
     let device = args.device.to_string();
     let met = meet(channel, &args.manner(), &device)?;
     let progress = Progress::new(scene.samples());

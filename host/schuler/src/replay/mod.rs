@@ -21,6 +21,7 @@ use fly::Orders;
 use places::Places;
 use schuler::flight::plan;
 use schuler_simulator::flight::Instant;
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::number::parameter;
 use schuler_simulator::output::say;
@@ -41,15 +42,13 @@ use summary::About;
 /// are, where there is a reference to compare them with.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
-    let recording = Recording::open_as(&args.imu.display().to_string(), &args.given())?;
+    let recording = Recording::open_as(&name_of(&args.imu), &args.given())?;
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     args.handling.apply(&mut options);
     options.vertical = args.vertical();
-    let reference = args
-        .reference
-        .as_ref()
-        .map(|file| Reference::open(&file.display().to_string(), recording.scale));
+    let reference =
+        args.reference.as_ref().map(|file| Reference::open(&name_of(file), recording.scale));
     let reference = reference.transpose()?;
     let (initial, args) = &initial::initial(args, &recording)?;
 
@@ -131,7 +130,7 @@ fn heights(
         None => (Heights::constant(own_m), "the altitude of the start".to_owned()),
         Some(Height::Metres(metres)) => (Heights::constant(*metres), format!("{metres} m")),
         Some(Height::File(file)) => {
-            let name = file.display().to_string();
+            let name = name_of(file);
             let heights = Heights::read(&name)?;
             // Half a second beyond the ends is no more than a sample.
             if let Some([first_s, last_s]) = heights.span_s()

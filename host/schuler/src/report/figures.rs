@@ -6,7 +6,7 @@ use super::{drift_charts, motion_charts};
 use schuler_report::axis::Axis;
 use schuler_report::canvas::Ink;
 use schuler_report::ellipse::outline;
-use schuler_report::interactive::{Interactive, Kind, Layer, Scale};
+use schuler_report::interactive::{Interactive, Kind, Layer, Scale, Width};
 use schuler_simulator::flight::Instant;
 use schuler_simulator::number::{Quantity, Unit};
 
@@ -92,7 +92,7 @@ pub fn horizontal(traces: &Traces, end_s: f64, end: Option<Interactive>) -> Stri
 pub fn end(last: &Instant, covariance_m2: Option<[[f64; 2]; 2]>) -> Interactive {
     let [north, east, _] = last.drift.position_m;
     let theory =
-        covariance_m2.filter(|covariance| covariance.iter().flatten().all(|x| x.is_finite()));
+        covariance_m2.filter(|c| c.iter().flatten().all(|x| x.is_finite()) && c[0][0] > 0.0);
     let [mean_north, mean_east, _] = last.mean.position_m;
     let outlines = theory.map(|covariance| {
         [0.95, 0.5].map(|share| outline([mean_north, mean_east], covariance, share).collect())
@@ -134,7 +134,8 @@ pub fn motion(instants: &[Instant], traces: &Traces) -> String {
     let metres = Unit { name: "m", factor: 1.0 };
     let degrees = Unit { name: "°", factor: 1.0 };
     let title = "True height above the ellipsoid";
-    let height = single(traces, HEIGHT, title, metres, Ink::Down, &time).wide(track.height);
+    let height = single(traces, HEIGHT, title, metres, Ink::Down, &time)
+        .sized(Width::TwoThirds, track.height);
     let known = (0..3).filter(|axis| traces.all.is_known(ATTITUDE + axis));
     let attitude = known.map(|axis| {
         let title = format!("True {}", ANGLES[axis].to_lowercase());

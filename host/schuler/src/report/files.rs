@@ -45,6 +45,16 @@ pub struct FlightFiles {
     stale: Vec<PathBuf>,
 }
 
+/// Says, before a flight, that its files will take the place of those of another command.
+pub fn tell_replaced(folder: &Path) {
+    if let Some(before) = head::command_of(&folder.join(summary::NAME))
+        && before != head::command()
+    {
+        let (folder, before) = (folder.display(), head::shell(&before));
+        eprintln!("schuler: replaces in {folder} the files of `{before}`; --out keeps both");
+    }
+}
+
 /// That a flight which leaves no files has not touched those of an earlier one, if there are any.
 pub fn of_earlier(folder: &Path) -> Option<String> {
     let is_there = folder.join(summary::NAME).exists();

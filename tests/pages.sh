@@ -6,11 +6,6 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/venv.sh
 
-if [ -z "${SCHULER:-}" ]; then
-    cargo build --release --locked --quiet
-    SCHULER=$(realpath "${CARGO_TARGET_DIR:-target}")/release/schuler
-fi
-schuler=$(realpath "$SCHULER")
 python_with pages playwright==1.65.2 axe-core-python==0.1.0
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 if [ -z "$chromium" ]; then
@@ -26,6 +21,11 @@ if [ -z "$chromium" ]; then
     exit 0
 fi
 
+if [ -z "${SCHULER:-}" ]; then
+    cargo build --release --locked --quiet
+    SCHULER=${CARGO_TARGET_DIR:-target}/release/schuler
+fi
+schuler=$(realpath "$SCHULER")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 tests=$PWD/tests

@@ -120,13 +120,19 @@ class Plot {
       },
       y: u => spec.map ? this.fitted(u, this.full, this.span(this.full))[1] : this.span(this.view),
     };
+    // Of many decades, the powers of ten alone.
+    const decades = (u, splits, axis) => {
+      const side = axis === 0 ? "x" : "y", { min, max } = u.scales[side];
+      if (!spec[side].log || max / min < 1e5) return splits;
+      return splits.map(value => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6 ? value : null);
+    };
     const axis = side => ({
       scale: side,
       stroke: () => colour("muted"),
       font: "11px system-ui, sans-serif",
       labelFont: "11px system-ui, sans-serif",
-      grid: { stroke: () => colour("grid"), width: 1 },
-      ticks: { stroke: () => colour("grid"), width: 1, size: 4 },
+      grid: { stroke: () => colour("grid"), width: 1, filter: decades },
+      ticks: { stroke: () => colour("grid"), width: 1, size: 4, filter: decades },
       space: side === "x" ? 56 : 26,
       values: (u, splits, _, __, step) => splits.map(value => spec[side].log ? power(value) : value == null ? null : tick(value, step)),
       ...(side === "x"

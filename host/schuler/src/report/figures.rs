@@ -1,7 +1,7 @@
 //! Charts as parts of an HTML page.
 
 use super::sensors::Sensors;
-use super::traces::{ATTITUDE, EULER, HEIGHT, HORIZONTAL, RATE, Traces};
+use super::traces::{ATTITUDE, EULER, FLOWN_S, HEIGHT, HORIZONTAL, RATE, Traces};
 use super::{drift_charts, motion_charts};
 use schuler_report::axis::Axis;
 use schuler_report::canvas::Ink;
@@ -84,7 +84,8 @@ pub fn horizontal(traces: &Traces, end_s: f64, end: Option<Interactive>) -> Stri
     let per_hour = Unit { name: "nmi/h", factor: 1.0 };
     let mut rate = single(traces, RATE, "Horizontal error over time", per_hour, Ink::East, &time);
     rate.y.zero = true;
-    let rate = traces.all.is_known(RATE).then_some(rate);
+    // At the first time that it means something it is one point.
+    let rate = (end_s >= 2.0 * FLOWN_S && traces.all.is_known(RATE)).then_some(rate);
     grid([distance].into_iter().chain(rate).chain(end))
 }
 

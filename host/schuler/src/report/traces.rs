@@ -21,7 +21,7 @@ const SERIES: usize = 18;
 /// Metres of a nautical mile.
 pub const NAUTICAL_MILE: f64 = 1852.0;
 /// Before this, a rate of drift means nothing, s.
-const FLOWN_S: f64 = 60.0;
+pub const FLOWN_S: f64 = 60.0;
 
 /// Series over time, s.
 #[derive(Clone, Debug, Default)]

@@ -3,15 +3,22 @@
 use crate::canvas::Ink;
 use crate::svg::escape;
 
-const STYLE: &str = include_str!("page.css");
+const STYLE: &str = include_str!("script/page.css");
 /// The library under the charts, with its style and its licence.
 const LIBRARY: [&str; 3] = [
     include_str!("uplot/uPlot.iife.min.js"),
     include_str!("uplot/uPlot.min.css"),
     include_str!("uplot/LICENSE"),
 ];
-const SCRIPTS: [&str; 3] =
-    [include_str!("plot.js"), include_str!("save.js"), include_str!("start.js")];
+const SCRIPTS: [&str; 7] = [
+    include_str!("script/format.js"),
+    include_str!("script/plot.js"),
+    include_str!("script/layers.js"),
+    include_str!("script/read.js"),
+    include_str!("script/move.js"),
+    include_str!("script/save.js"),
+    include_str!("script/start.js"),
+];
 
 /// A whole page; title and body are HTML already.
 pub fn page(title: &str, body: &str) -> String {

@@ -31,6 +31,8 @@ fn tables_fit_80_columns() {
         &format!("{chains} --out chains"),
         "audit verify chains",
         "trajectory drive",
+        "emulate paper --duration 20 --out imu.csv --truth truth.csv",
+        "replay --imu imu.csv --initial initial.toml --reference truth.csv --out again/",
     ] {
         let done = schuler(folder, line);
         assert!(done.status.success(), "{line}: {}", text(&done.stderr));

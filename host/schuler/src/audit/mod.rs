@@ -115,7 +115,7 @@ fn verify(args: &VerifyArgs) -> Result<(), FlightError> {
     let functions = functions.unwrap_or_default();
     let verdicts = golden::verify(&args.folder, &mut |verdict| say(&show::verdict(verdict)))?;
     let failed = verdicts.iter().filter(|verdict| verdict.parting.is_some()).count();
-    say(&format!("{} chains, {failed} of them part\n", verdicts.len()))?;
+    say(&show::verified(&verdicts, failed))?;
     if let Some(folder) = &args.out {
         let verdict = Some(show::equal(verdicts.len(), failed));
         let top = Top { title: "Golden chains".to_owned(), verdict, ..Top::default() };

@@ -105,6 +105,17 @@ pub fn verdicts(verdicts: &[Verdict]) -> Vec<Table> {
     tables
 }
 
+/// How many chains part, and what the others have in common.
+pub fn verified(verdicts: &[Verdict], failed: usize) -> String {
+    let equal = || verdicts.iter().filter(|verdict| verdict.parting.is_none());
+    let rows: u64 = equal().map(|verdict| verdict.held.rows as u64).sum();
+    let digests: u64 = equal().map(|verdict| verdict.held.digests as u64).sum();
+    format!(
+        "{} chains, {failed} of them part; the same bits in {rows} rows and {digests} digests\n",
+        verdicts.len()
+    )
+}
+
 /// How many of the chains are equal, for a page.
 pub fn equal(chains: usize, parted: usize) -> (bool, String) {
     let text = match parted {

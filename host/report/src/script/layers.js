@@ -68,7 +68,11 @@ Object.assign(Plot.prototype, {
     const decade = 10 ** Math.floor(Math.log10(rough));
     const length = [5, 2, 1].find(digit => digit * decade <= rough) * decade;
     const pixels = length / (max - min) * width;
-    const [x, y] = [left + 10 * scale, top + height - 10 * scale];
+    // On the left, unless a name stands there.
+    const marks = this.spec.layers.filter(layer => layer.kind === "marks");
+    const isTaken = marks.some(({ x, high }) => Array.from(x).some((at, i) =>
+      this.at("x", at, isCanvas) < left + 0.6 * width && this.at("y", high[i], isCanvas) > top + 0.8 * height));
+    const [x, y] = [isTaken ? left + width - pixels - 10 * scale : left + 10 * scale, top + height - 10 * scale];
     pen.strokeStyle = pen.fillStyle = colour("text");
     pen.lineWidth = 1.5 * scale;
     pen.font = `${11 * scale}px system-ui, sans-serif`;

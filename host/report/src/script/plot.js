@@ -12,6 +12,8 @@ class Plot {
     }
     const all = this.spec.layers.reduce((range, layer) => extent(layer.x, range), [Infinity, -Infinity]);
     const { x, map } = this.spec;
+    // What begins a sample after zero begins at zero.
+    if (!x.log && !map && all[0] > 0 && all[0] < 0.02 * all[1]) all[0] = 0;
     this.full = x.range ?? (x.log || map || this.spec.airy ? aired(all, x) : all[0] < all[1] ? all : aired(all, x));
     this.view = this.full;
     this.legend();

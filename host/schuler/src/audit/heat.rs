@@ -12,6 +12,9 @@ const QUANTITIES: [(&str, Quantity); 3] = [
     ("attitude", Quantity::Attitude),
 ];
 
+/// Decades from the least colour to the most, at least.
+const LEAST_DECADES: f64 = 2.0;
+
 /// The map. Colours are by the logarithm, from the least to the most of each quantity.
 pub fn map(effects: &[Effect]) -> String {
     let times: Vec<f64> = effects
@@ -20,7 +23,10 @@ pub fn map(effects: &[Effect]) -> String {
     let ranges: [[f64; 2]; 3] = std::array::from_fn(|k| {
         let all = effects.iter().flat_map(|effect| effect.after.iter().map(move |a| a.norms()[k]));
         let known = all.filter(|x| *x > 0.0 && x.is_finite()).map(f64::log10);
-        known.fold([f64::MAX, f64::MIN], |[low, high], x| [low.min(x), high.max(x)])
+        let [low, high] =
+            known.fold([f64::MAX, f64::MIN], |[low, high], x| [low.min(x), high.max(x)]);
+        // What differs by little has little of a colour's range.
+        [low.min(high - LEAST_DECADES), high]
     });
     let groups: String = QUANTITIES
         .iter()

@@ -97,21 +97,19 @@ fn every_instant(
     value: impl Fn(&Comparison) -> f64,
     chance: &str,
 ) -> String {
-    let mut text = format!("{title} ({chance})\n{:>9} ", "");
-    let groups = ["position, m", "velocity, m/s", "attitude, ″"];
-    text += &groups.map(|group| format!(" {group:>22}")).concat();
-    text += &format!("\n{:>9} ", "s");
-    let names = ["north", "east", "down"].map(|name| format!("{name:>7} "));
-    text += &format!(" {}", names.concat()).repeat(3);
-    text = format!("{}\n{}\n", text.trim_end(), "─".repeat(WIDTH));
+    let groups =
+        ["position, m", "velocity, m/s", "attitude, ″"].map(|group| format!("{group:>24}"));
+    let names = ["north", "east", "down"].map(|name| format!("{name:>8}")).concat().repeat(3);
+    let line = "─".repeat(WIDTH);
+    let mut text =
+        format!("{title} ({chance})\n{:7}{}\n{:>7}{names}\n{line}\n", "", groups.concat(), "s");
     for instant in instants {
         let Some(first) = instant.first() else { continue };
-        text += &format!("{:>9} ", parameter(first.time_s));
-        for (place, c) in instant.iter().enumerate() {
+        text += &format!("{:>7}", parameter(first.time_s));
+        for c in *instant {
             let cell =
                 if c.tests.is_some() { format!("{:.2}", value(c)) } else { "–".to_owned() };
-            let gap = if place % 3 == 0 { " " } else { "" };
-            text += &format!("{gap}{cell:>7}{}", if place < 8 { " " } else { "" });
+            text += &format!("{cell:>8}");
         }
         text.push('\n');
     }

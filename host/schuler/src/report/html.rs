@@ -218,7 +218,9 @@ mod tests {
     fn stands_alone() {
         let page = page(&sample::flight(), &shown(&sample::flight()));
         // An address in a comment is no request: the library's own, and names of XML.
-        for outside in ["src=\"", "href=\"", "url(\"", "url(h", "@import", "//cdn", "fetch(", "import("] {
+        for outside in
+            ["src=\"", "href=\"", "url(\"", "url(h", "@import", "//cdn", "fetch(", "import("]
+        {
             assert!(!page.contains(outside), "{outside}");
         }
     }

@@ -60,3 +60,20 @@ make compare 1 audit compare chains others --out compare
 make sensitivity 0 audit sensitivity paper --duration 60 --out sensitivity
 
 "$python" "$tests/pages.py" "$chromium" "$folder"
+
+# What finds nothing wrong with a page that fails, asks the network and has a picture without words finds nothing
+# anywhere.
+mkdir -p planted/stress
+sed 's|<main>|<main><img src="http://127.0.0.1:9/x.png"><script>throw new Error("planted")</script>|' \
+    stress/stress.html >planted/stress/stress.html
+if "$python" "$tests/pages.py" "$chromium" planted stress >planted.txt 2>&1; then
+    echo "tests/pages.sh: a page with faults is taken for one without" >&2
+    exit 1
+fi
+for fault in "error: planted" "http://127.0.0.1:9/x.png" image-alt; do
+    if ! grep -q "$fault" planted.txt; then
+        cat planted.txt
+        echo "tests/pages.sh: $fault is not found" >&2
+        exit 1
+    fi
+done

@@ -7,7 +7,8 @@ use schuler_report::axis::Axis;
 use schuler_report::canvas::{Ink, Stroke};
 use schuler_report::chart::{Band, Chart, Curve};
 use schuler_report::ellipse::outline;
-use schuler_report::interactive::{Interactive, Kind, Layer, Scale, Width};
+use schuler_report::interactive::{Interactive, Scale, Width};
+use schuler_report::layer::{Kind, Layer};
 use schuler_simulator::ensemble::budget::Contribution;
 use schuler_simulator::number::{Quantity, Unit};
 

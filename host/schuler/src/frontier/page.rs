@@ -5,7 +5,8 @@ use super::case::{Case, Method};
 use super::table::{by_scene, front_of};
 use crate::report::{figures, head};
 use schuler_report::canvas::Ink;
-use schuler_report::interactive::{Interactive, Kind, Layer, Scale, Width};
+use schuler_report::interactive::{Interactive, Scale, Width};
+use schuler_report::layer::{Kind, Layer};
 use schuler_report::page::{framed, page_with};
 use schuler_report::svg::escape;
 use schuler_simulator::number::parameter;
@@ -36,8 +37,10 @@ pub fn page(points: &[Point], text: &str) -> String {
     page_with("Run time against error", &body, SCRIPT)
 }
 
-/// The kinds of points: a name, and whether a case is one.
-const KINDS: [(&str, Ink, fn(&Case) -> bool); 3] = [
+/// A kind of points: its name, its colour, and whether a case is one.
+type Family = (&'static str, Ink, fn(&Case) -> bool);
+
+const FAMILIES: [Family; 3] = [
     ("taylor", Ink::North, |case| matches!(case.method, Method::Taylor(_))),
     ("textbook", Ink::East, |case| case.method == Method::Textbook),
     ("rk4 on rates", Ink::Down, |case| case.method == Method::RungeKutta),
@@ -62,7 +65,7 @@ fn chart(scene: &[&Point]) -> Interactive {
         stairs.push([cost, error]);
     }
     chart = chart.with(Layer::line("front", Ink::Text, stairs));
-    for (name, ink, is_one) in KINDS {
+    for (name, ink, is_one) in FAMILIES {
         for (precision, ring) in [("double", false), ("single", true)] {
             let of_kind = |point: &&&Point| {
                 is_one(&point.case)

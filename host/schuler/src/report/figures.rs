@@ -6,7 +6,8 @@ use super::{drift_charts, motion_charts};
 use schuler_report::axis::Axis;
 use schuler_report::canvas::Ink;
 use schuler_report::ellipse::outline;
-use schuler_report::interactive::{Interactive, Kind, Layer, Scale, Width};
+use schuler_report::interactive::{Interactive, Scale, Width};
+use schuler_report::layer::{Kind, Layer};
 use schuler_simulator::flight::Instant;
 use schuler_simulator::number::{Quantity, Unit};
 

@@ -2,7 +2,9 @@
 
 use super::sensors::Sensors;
 use super::traces::{NAUTICAL_MILE, Traces};
-use super::{ended, figures, head, heading, link_table, lockstep, norm, parameters, table};
+use super::{
+    ended, figures, head, heading, link_table, lockstep, norm, parameters, table, verdict,
+};
 use lockstep::Lockstep;
 use schuler_report::axis::printed;
 use schuler_report::page::{self, framed, panel};
@@ -75,7 +77,7 @@ fn headline(flight: &Flight) -> String {
         ),
     ];
     if let Some(worst) =
-        table::z_scores(last).into_iter().flatten().max_by(|a, b| a.abs().total_cmp(&b.abs()))
+        verdict::z_scores(last).into_iter().flatten().max_by(|a, b| a.abs().total_cmp(&b.abs()))
     {
         let what = "from theory’s mean: the farthest of north, east, down";
         cards.push(card(format!("{worst:+.2} σ"), what));
@@ -83,7 +85,7 @@ fn headline(flight: &Flight) -> String {
     if let Some(time) = flight.time {
         cards.push(card(format!("{:.0} ns", time.navigate_ns), "to navigate a sample"));
     }
-    let [_, theory] = table::verdict(flight);
+    let [_, theory] = verdict::verdict(flight);
     format!("{}<p>{}</p>\n", page::cards(&cards), printed(&escape(&theory)))
 }
 

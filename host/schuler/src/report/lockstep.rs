@@ -2,7 +2,8 @@
 
 use super::figures;
 use schuler_report::canvas::Ink;
-use schuler_report::interactive::{Interactive, Kind, Layer, Scale};
+use schuler_report::interactive::{Interactive, Scale};
+use schuler_report::layer::{Kind, Layer};
 use schuler_report::page;
 use serde::Serialize;
 

@@ -26,6 +26,7 @@ pub mod summary;
 pub mod table;
 pub mod thinned;
 pub mod traces;
+pub mod verdict;
 
 use schuler_simulator::flight::{Flight, Instant, Nine};
 

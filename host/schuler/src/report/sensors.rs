@@ -3,7 +3,8 @@
 use schuler::sample::Increment;
 use schuler_report::canvas::Ink;
 use schuler_report::envelope::Envelope;
-use schuler_report::interactive::{Interactive, Kind, Layer, Scale};
+use schuler_report::interactive::{Interactive, Scale};
+use schuler_report::layer::{Kind, Layer};
 use schuler_simulator::flight::Flight;
 use schuler_simulator::source::{Source, SourceError};
 use schuler_simulator::units::{DEGREE, DEGREE_PER_HOUR, MICRO_G};

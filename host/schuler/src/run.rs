@@ -17,6 +17,7 @@ use std::path::Path;
 pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     let directory = args.folder(&scene);
+    report::files::tell_replaced(&directory);
     let (flight, end) = fly(args, &scene, &directory).inspect_err(|_| {
         if let Some(note) = report::files::of_earlier(&directory) {
             eprintln!("{note}");
@@ -68,6 +69,6 @@ fn fly(
     let (flight, end) = simulation.fly_as_far(&mut row, &|sample| progress.reach(sample))?;
     progress.finish();
     let messages = messages.map(Messages::into_file).transpose()?;
-    files.finish(&flight, messages.into_iter().collect())?;
+    files.finish(&flight, messages.into_iter().collect(), None)?;
     Ok((flight, end))
 }

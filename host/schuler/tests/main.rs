@@ -14,6 +14,7 @@
 //! | `frontier` | run time against error |
 //! | `hil` | a target and its twin |
 //! | `mcap` | ROS 2 messages |
+//! | `terminal` | tables of 80 columns, and words for what cannot be |
 //! | `trajectory` | what a flight is like, its files, and scenes to start from |
 //! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
@@ -37,4 +38,5 @@ mod scene;
 mod stochastic;
 mod stress;
 mod summaries;
+mod terminal;
 mod trajectory;

@@ -48,7 +48,7 @@ fn bar(samples: u64, start: Instant) -> ProgressBar {
         // The bar's own buffer takes all.
         let _ = write!(to, "{}", HumanDuration(left));
     };
-    match ProgressStyle::with_template("{bar:40} {percent:>3} % of {len} samples, {left} left") {
+    match ProgressStyle::with_template("{wide_bar} {percent:>3} % of {len} samples, {left} left") {
         Ok(style) => bar.with_style(style.with_key("left", left)),
         Err(_) => bar,
     }
@@ -66,7 +66,7 @@ impl CaseProgress {
             return Self { bar: None };
         }
         let bar = ProgressBar::with_draw_target(Some(cases), ProgressDrawTarget::stderr());
-        let style = ProgressStyle::with_template("{pos} of {len} done, {elapsed}: {prefix} {msg}");
+        let style = ProgressStyle::with_template("{pos} of {len} done, {elapsed}: {wide_msg}");
         bar.enable_steady_tick(Duration::from_millis(500));
         Self { bar: Some(style.map_or(bar.clone(), |style| bar.with_style(style))) }
     }
@@ -74,8 +74,8 @@ impl CaseProgress {
     /// A case begins.
     pub fn begin(&self, name: &str) {
         if let Some(bar) = &self.bar {
-            bar.set_message("");
             bar.set_prefix(name.to_owned());
+            bar.set_message(name.to_owned());
         }
     }
 
@@ -85,7 +85,7 @@ impl CaseProgress {
             && done.is_multiple_of(65536)
             && done > 0
         {
-            bar.set_message(format!("{} %", 100 * done / all.max(1)));
+            bar.set_message(format!("{} % of {}", 100 * done / all.max(1), bar.prefix()));
         }
     }
 

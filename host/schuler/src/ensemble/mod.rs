@@ -48,6 +48,7 @@ use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::ensemble::instants;
 use schuler_simulator::ensemble::part::header::Header;
+use schuler_simulator::input::name::path_of;
 use schuler_simulator::lanes::Registers;
 use schuler_simulator::number::{rounded, short};
 use schuler_simulator::output::say;
@@ -102,7 +103,7 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
 
 /// Where the files go.
 fn folder(out: Option<&Path>, scene: &Scene) -> PathBuf {
-    out.map_or_else(|| PathBuf::from("out").join(&scene.name), Path::to_owned)
+    out.map_or_else(|| PathBuf::from("out").join(path_of(&scene.name)), Path::to_owned)
 }
 
 /// How many samples are taken at each reading.

@@ -16,12 +16,14 @@ mod summary;
 mod table;
 
 use crate::cli::{Height, ReplayArgs};
+use crate::report::sensors::Sensors;
 use comparison::Has;
 use files::ReportFiles;
 use fly::Orders;
 use places::Places;
 use schuler::flight::plan;
 use schuler_simulator::flight::Instant;
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::number::parameter;
 use schuler_simulator::output::say;
@@ -29,6 +31,7 @@ use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::NavigationRow;
 use schuler_simulator::recording::reference::Reference;
 use schuler_simulator::recording::rows::Recording;
+use schuler_simulator::recording::samples::Samples;
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::scene::{Algorithm, Navigator, Vertical, WindowShape};
 use schuler_simulator::simulate::FlightError;
@@ -37,19 +40,17 @@ use summary::About;
 /// Navigates a recording and writes `nav.csv`, a row per sample or fewer. Prints what its stamps say, what
 /// was aligned to, and where the vehicle ends up.
 ///
-/// The recording is gone through twice, once to look and once to navigate, and never held in memory; the rows
+/// The recording is gone through twice, once to look and once to navigate (once more for a report's page), and never held in memory; the rows
 /// are, where there is a reference to compare them with.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
-    let recording = Recording::open_as(&args.imu.display().to_string(), &args.given())?;
+    let recording = Recording::open_as(&name_of(&args.imu), &args.given())?;
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     args.handling.apply(&mut options);
     options.vertical = args.vertical();
-    let reference = args
-        .reference
-        .as_ref()
-        .map(|file| Reference::open(&file.display().to_string(), recording.scale));
+    let reference =
+        args.reference.as_ref().map(|file| Reference::open(&name_of(file), recording.scale));
     let reference = reference.transpose()?;
     let (initial, args) = &initial::initial(args, &recording)?;
 
@@ -74,7 +75,8 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     let places = Places::new(&args.out, reference.is_some());
     let has =
         reference.as_ref().map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
-    let mut files = has.map(|has| ReportFiles::create(&places, has)).transpose()?.flatten();
+    let files = has.map(|has| ReportFiles::create(&places, has, spans.navigate_s));
+    let mut files = files.transpose()?.flatten();
     let orders = Orders { args, options, shape, heights, nav: &places.nav };
     let mut flight = fly::fly(&recording, &survey, &spans, initial, &orders)?;
     let mut text = report::text(&flight, &spans, args.align.is_some());
@@ -86,7 +88,8 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
         let about = About { imu, rate_hz, options: &orders.options, shape, spans: &spans };
         text += &table::table(&comparison);
         if let Some(files) = files {
-            filled = files.fill(&flight, &comparison, &about)?;
+            let sensors = read(&recording, &survey, [spans.navigate_s, flight.last.0])?;
+            filled = files.fill(&flight, &comparison, &about, &sensors)?;
         }
     }
     files::place(flight.nav, filled)?;
@@ -96,6 +99,22 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     let [report, messages] = [report, messages].map(Option::unwrap_or_default);
     say(&format!("{text}written to {nav}{messages}{report}\n"))?;
     Ok(())
+}
+
+/// What the sensors put out from one time to another, s: the recording read once more.
+fn read(
+    recording: &Recording,
+    survey: &Survey,
+    [from_s, to_s]: [f64; 2],
+) -> Result<Sensors, FlightError> {
+    let mut samples = Samples::new(recording, survey, None)?;
+    let mut sensors = Sensors::default();
+    while let Some(sample) = samples.advance()? {
+        if sample.end_s > from_s && sample.end_s <= to_s && !sample.filled {
+            sensors.row(sample.end_s - from_s, &sample.increment, sample.interval_s);
+        }
+    }
+    Ok(sensors)
 }
 
 /// The height that the vertical is held to, where it is; it must be known all along, s.
@@ -113,7 +132,7 @@ fn heights(
         None => (Heights::constant(own_m), "the altitude of the start".to_owned()),
         Some(Height::Metres(metres)) => (Heights::constant(*metres), format!("{metres} m")),
         Some(Height::File(file)) => {
-            let name = file.display().to_string();
+            let name = name_of(file);
             let heights = Heights::read(&name)?;
             // Half a second beyond the ends is no more than a sample.
             if let Some([first_s, last_s]) = heights.span_s()

@@ -18,6 +18,7 @@ pub mod window;
 
 use crate::course::Path;
 use crate::input::document::{Document, did_you_mean};
+use crate::input::name::path_of;
 use crate::input::{Complaint, InputError, read_text};
 pub use aiding::{Aiding, Filtering};
 pub use alignment::{Alignment, Base};
@@ -27,7 +28,6 @@ pub use schuler::strapdown::block::shape::WindowShape;
 
 use route::Route;
 use schuler::trajectory::harmonic::Harmonic;
-use std::path;
 use std::sync::Arc;
 
 /// Everything that one run needs to know.
@@ -80,7 +80,7 @@ pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputErr
     if let Some(scene) = builtin::scene(name_or_path) {
         return Ok(scene);
     }
-    let is_path = name_or_path.contains(['/', '\\', '.']) || path::Path::new(name_or_path).exists();
+    let is_path = name_or_path.contains(['/', '\\', '.']) || path_of(name_or_path).exists();
     if !is_path {
         let names = builtin::names().map(|(name, _)| name);
         let names: Vec<_> = names.chain(other.iter().copied()).collect();

@@ -66,7 +66,7 @@ fn record(args: &RecordArgs) -> Result<(), FlightError> {
     let chosen = chosen(&args.configuration)?;
     let provenance = provenance::line();
     for name in &args.scene {
-        let mut scene = scene::without_alignment(scene::load(name)?)?;
+        let mut scene = scene::unaided(scene::load(name)?)?;
         args.flight.apply(&mut scene)?;
         let cadence = record::Cadence {
             checkpoint: args.checkpoint,

@@ -92,8 +92,14 @@ pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputErr
     parse::scene(name_or_path, &read_text(name_or_path)?)
 }
 
-/// Refuses a scene that begins with an alignment where flights start from what is known.
-pub fn without_alignment(scene: Scene) -> Result<Scene, InputError> {
+/// Refuses a scene that begins with an alignment, or is aided, where flights start from what is known and navigate by
+/// inertia alone.
+pub fn unaided(scene: Scene) -> Result<Scene, InputError> {
+    if scene.aiding.is_there() {
+        let what = "is aided, and here navigation is by inertia alone";
+        let accepted = "a scene without [gnss] and the like; run and ensemble fly it";
+        return Err(InputError::option("filter", Complaint::new(what, accepted)));
+    }
     if scene.alignment.is_none() {
         return Ok(scene);
     }

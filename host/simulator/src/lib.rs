@@ -4,7 +4,7 @@
 //!
 //! | room | what it has |
 //! |---|---|
-//! | [`units`], [`number`], [`mod@quartile`], [`input`], [`output`], [`progress`] | units, numbers for people, files in and out |
+//! | [`units`], [`number`], [`mod@quartile`], [`mod@quadratic`], [`parallel`], [`input`], [`output`], [`progress`] | units, numbers for people, files in and out |
 //! | [`scene`] | what flies, what the sensors get wrong, how it is navigated |
 //! | [`course`], [`source`], [`emulator`] | motion, truth, perfect increments, sensors |
 //! | [`navigator`], [`lanes`], [`ensemble`], [`twin`] | the core's navigators: one, many abreast, a target's copy |
@@ -34,9 +34,11 @@ pub mod lively;
 pub mod navigator;
 pub mod number;
 pub mod output;
+pub mod parallel;
 pub mod plan;
 pub mod portrait;
 pub mod progress;
+pub mod quadratic;
 pub mod quartile;
 pub mod recording;
 pub mod reference;

@@ -1,9 +1,9 @@
 //! A progress bar for tasks of more than a second, if the output is a terminal.
 
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use std::cell::OnceCell;
 use std::fmt::Write;
 use std::io::IsTerminal;
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 /// Before this, nobody is shown a bar.
@@ -13,7 +13,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 pub struct Progress {
     start: Instant,
     samples: u64,
-    bar: OnceCell<ProgressBar>,
+    bar: OnceLock<ProgressBar>,
     wanted: bool,
 }
 
@@ -21,7 +21,7 @@ impl Progress {
     /// Towards a number of samples.
     pub fn new(samples: u64) -> Self {
         let wanted = std::io::stderr().is_terminal();
-        Self { start: Instant::now(), samples, bar: OnceCell::new(), wanted }
+        Self { start: Instant::now(), samples, bar: OnceLock::new(), wanted }
     }
 
     /// So many samples are done.

@@ -15,8 +15,10 @@
 //! | [`table`], [`figures`], [`csv`], [`summary`], [`files`] | how it is told |
 //! | [`page`], [`charts`] | the page, and its charts |
 //! | [`pace`] | what navigation costs |
+//! | `aided` | aided runs: their errors beside what their filters say |
 
 pub mod accuracy;
+mod aided;
 pub mod charts;
 mod check;
 pub mod circular;
@@ -69,6 +71,9 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let source = Source::new(&scene, false)?;
     let ground = Ground::new(&scene, &source);
     let stops = stops(&ground, &args.at);
+    if scene.aiding.is_there() {
+        return aided::ensemble(args, &scene, &source, &stops, &folder);
+    }
     let Shard(shard) = args.shard.unwrap_or(Shard([1, 1]));
     let header = Header::new(&ground, args.whole(), args.runs, shard, &stops);
     let path = flying::part(&folder, args.shard);

@@ -202,6 +202,10 @@ fn aiding(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
         let accepted = "\"free\"; a barometer holds the vertical";
         return refuse("navigator.vertical", "is held, and aiding finds it", accepted);
     }
+    if scene.link.loss > 0.0 || scene.link.jitter_s > 0.0 {
+        let what = "an aided navigator takes every sample, at its time";
+        return refuse("link", what, "no loss and no jitter_s");
+    }
     if scene.alignment.is_some() {
         let what = "comes before navigation without aiding: a filter aligns by its measurements";
         return refuse("alignment", what, "heading_sigma_deg in [filter]");

@@ -7,6 +7,7 @@
 //! | `scene` | what scenes may say |
 //! | `recording`, `rest` | what recordings may say, and what contradicts itself |
 //! | `reference` | positions that others measured |
+//! | `aided` | scenes aided by satellites, wheels, a barometer |
 //! | `align` | level and north by runs of a scene and by recordings |
 //! | `allan` | sensors by their Allan deviation, and by their data sheets |
 //! | `audit` | chains, recorded and compared |
@@ -19,6 +20,7 @@
 //! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
+mod aided;
 mod align;
 mod allan;
 mod audit;

@@ -4,8 +4,9 @@ use super::files::Files;
 use super::findings::Findings;
 use super::sentences::sentences;
 use super::summary::Outcome;
-use super::{figures, table};
+use super::{figures, summary, table};
 use crate::cli::EnsembleArgs;
+use crate::report::files::tell_replaced_by;
 use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::ensemble::kept::Kept;
@@ -34,9 +35,25 @@ pub struct Conclusion<'a> {
 }
 
 impl Conclusion<'_> {
-    /// The files, not yet in their places.
+    /// The files, not yet in their places; says whose they will replace.
     pub fn files(&self) -> Result<Files, InputError> {
-        Files::create(&self.folder, self.keep)
+        let files = Files::create(&self.folder, self.keep)?;
+        let program = std::iter::once("schuler".to_owned());
+        let command: Vec<_> = program.chain(self.command()).collect();
+        tell_replaced_by(&self.folder, summary::NAME, &command);
+        Ok(files)
+    }
+
+    /// The command, an argument each, after the program's name.
+    fn command(&self) -> Vec<String> {
+        let mut command = self.whole.whole();
+        if self.keep {
+            command.push("--keep".to_owned());
+        }
+        if let Some(budget) = self.budget {
+            command.extend(["--budget".to_owned(), budget.to_string()]);
+        }
+        command
     }
 
     /// Finds out what there is to be found out, writes it, prints it with a `note` of how it was flown, and takes
@@ -48,17 +65,11 @@ impl Conclusion<'_> {
         note: String,
         served: &[PathBuf],
     ) -> Result<(), FlightError> {
-        let Self { ground, whole, means, keep, budget, folder } = self;
+        let command = self.command();
+        let Self { ground, means, budget, folder, .. } = self;
         let (scene, runs) = (ground.scene, kept.runs.end);
         let findings = Findings::new(ground, &kept, budget, means)?;
         let sentences = sentences(&findings);
-        let mut command = whole.whole();
-        if keep {
-            command.push("--keep".to_owned());
-        }
-        if let Some(budget) = budget {
-            command.extend(["--budget".to_owned(), budget.to_string()]);
-        }
         let failed = kept.flown.failed.len();
         let outcome = Outcome {
             scene,

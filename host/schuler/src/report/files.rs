@@ -47,8 +47,13 @@ pub struct FlightFiles {
 
 /// Says, before a flight, that its files will take the place of those of another command.
 pub fn tell_replaced(folder: &Path) {
-    if let Some(before) = head::command_of(&folder.join(summary::NAME))
-        && before != head::command()
+    tell_replaced_by(folder, summary::NAME, &head::command());
+}
+
+/// The same of a command, an argument each, with a summary of a name.
+pub fn tell_replaced_by(folder: &Path, summary: &str, command: &[String]) {
+    if let Some(before) = head::command_of(&folder.join(summary))
+        && before != command
     {
         let (folder, before) = (folder.display(), head::shell(&before));
         eprintln!("schuler: replaces in {folder} the files of `{before}`; --out keeps both");

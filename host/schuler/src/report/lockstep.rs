@@ -5,6 +5,7 @@ use schuler_report::canvas::Ink;
 use schuler_report::interactive::{Interactive, Scale};
 use schuler_report::layer::{Kind, Layer};
 use schuler_report::page;
+use schuler_report::svg::escape;
 use serde::Serialize;
 
 /// Spans of a flight in which faults are counted.
@@ -156,16 +157,14 @@ impl Lockstep {
     /// The histogram, and what happened over time.
     pub fn charts(&self) -> String {
         let latency = self.latency.iter().map(|latency| {
-            let points = latency.histogram.iter().flat_map(|bar| {
-                [bar.from_ms, bar.to_ms].map(|ms| [ms, bar.answers as f64, 0.0])
-            });
+            let points = latency
+                .histogram
+                .iter()
+                .flat_map(|bar| [bar.from_ms, bar.to_ms].map(|ms| [ms, bar.answers as f64, 0.0]));
             let layer = Layer::new("answers", Ink::North, Kind::Band(0.6), points.collect());
-            let title = format!(
-                "Time to an answer: median {:.3} ms, 99 % within {:.3} ms, {} of {} later than the next sample",
-                latency.median_ms, latency.percentile_99_ms, latency.late, latency.answers
-            );
             let count = Scale::new("", "").from_zero();
-            Interactive::new(&title, Scale::new("time", "ms"), count).with(layer)
+            Interactive::new("Time to an answer: how many", Scale::new("time", "ms"), count)
+                .with(layer)
         });
         let end_s = self.link_over_time.last().map_or(0.0, |span| span.to_s);
         let (scale, per_second) = figures::time(end_s);
@@ -184,7 +183,11 @@ impl Lockstep {
                 .with(faults)
                 .with(again)
         });
-        figures::grid(latency.chain(over_time))
+        let words = self
+            .latency
+            .as_ref()
+            .map_or(String::new(), |latency| format!("<p>{}</p>\n", escape(&latency.text())));
+        words + &figures::grid(latency.chain(over_time))
     }
 }
 

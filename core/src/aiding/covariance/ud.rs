@@ -152,6 +152,17 @@ impl<R: Real, const N: usize, const P: usize> Ud<R, N, P> {
         }
     }
 
+    /// The earlier factors but where the mask holds, lane by lane.
+    #[inline]
+    pub fn revert_unless(&mut self, mask: R::Mask, earlier: &Self) {
+        if !R::any(R::ZERO.less(R::select(mask, R::ZERO, R::ONE))) {
+            return;
+        }
+        for (mine, old) in self.packed.iter_mut().zip(&earlier.packed) {
+            *mine = R::select(mask, *mine, *old);
+        }
+    }
+
     /// Whether every number is finite, and no D negative.
     pub fn is_plausible(&self) -> bool {
         let most = R::of(1e30);

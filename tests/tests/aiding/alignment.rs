@@ -65,6 +65,21 @@ fn a_still_vehicle_reaches_the_limit() {
 }
 
 #[test]
+fn a_heading_that_is_found_tells_nothing_of_the_level() {
+    // At rest no measurement tells a tilt from a bias of the accelerometers, however far the heading is corrected.
+    let here = Surroundings::at(&Motion::Still.place());
+    let limit = SENSORS.level(&here);
+    for heading in [0.0, 20.0, -60.0] {
+        let off = [0.005, heading * DEGREE];
+        for reads in runs(Motion::Still, Base::still(), off, 0.09, &[60.0]) {
+            for sigma in &reads[0].sigma[..2] {
+                assert!((sigma / limit - 1.0).abs() < 0.01, "{heading}°: {sigma:e} of {limit:e}");
+            }
+        }
+    }
+}
+
+#[test]
 fn half_a_turn_wrong_it_finds_the_same() {
     let runs = runs(Motion::Still, Base::still(), [0.01, 180.0 * DEGREE], 1.8, &[300.0]);
     let here = Surroundings::at(&Motion::Still.place());

@@ -74,12 +74,10 @@ fn smoothed(steps: &[Past], last: &Matrix) -> Vec<(u64, [f64; N], Matrix)> {
     for pair in steps.windows(2).rev() {
         let [earlier, step] = pair else { unreachable!() };
         // A = P⁺Φᵀ(P⁻)⁻¹,  s = A(c + s₁),  P = P⁺ + A(P₁ − P⁻)Aᵀ
-        let mut across = dense::zero();
-        for i in 0..N {
-            for j in 0..N {
-                across[i][j] = (0..N).map(|k| step.before[i][k] * step.transition[j][k]).sum();
-            }
-        }
+        let row = |plus: &[f64; N]| {
+            core::array::from_fn(|j| plus.iter().zip(step.transition[j]).map(|(p, f)| p * f).sum())
+        };
+        let across: Matrix = step.before.iter().map(row).collect();
         let gain = solve(&step.after, &across);
         let whole: [f64; N] = core::array::from_fn(|n| step.corrections[n] + s[n]);
         s = core::array::from_fn(|i| gain[i].iter().zip(whole).map(|(a, x)| a * x).sum());

@@ -51,6 +51,7 @@ impl<R: Scalar> Reference<R> {
 
 /// The Earth at the vehicle.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Locality<R> {
     /// Its rate, gravity and radii.
     pub here: Surroundings<R>,

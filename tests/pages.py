@@ -152,6 +152,27 @@ def used(name, page):
             fault(name, f"its CSV is {saved[:80]}")
 
 
+def pinched(name, page):
+    """Two fingers that part show less of the first chart."""
+    if page.locator("figure.plot").count() == 0 or page.evaluate("plots[0].spec.map"):
+        return
+    whole = scale(page, 0)
+    page.evaluate(
+        """() => {
+          const over = plots[0].u.over, { left, top, width } = over.getBoundingClientRect();
+          const touch = (type, parts) => over.dispatchEvent(new TouchEvent(type, { cancelable: true, touches: parts.map(
+            (part, identifier) => new Touch({ identifier, target: over, clientX: left + part * width, clientY: top + 20 })) }));
+          touch("touchstart", [0.4, 0.6]);
+          touch("touchmove", [0.2, 0.8]);
+        }"""
+    )
+    page.wait_for_timeout(100)
+    near = scale(page, 0)
+    share = (near[1] - near[0]) / (whole[1] - whole[0])
+    if not page.evaluate("plots[0].spec.x.log") and abs(share - 1 / 3) > 0.01:
+        fault(name, f"two fingers show {share} of the whole, not a third")
+
+
 def budget(page):
     """A tighter budget costs more, and words choose."""
     def cheapest():
@@ -213,6 +234,8 @@ def main():
                     used(name, page)
                     if name == "frontier":
                         budget(page)
+                if how == "narrow":
+                    pinched(name, page)
                 accessible(name, page, how)
                 if how == "light":
                     page.emulate_media(media="print", color_scheme="dark")

@@ -38,14 +38,21 @@ impl<R: Scalar> Reference<R> {
         [s + (c * odd - s * even), c - (s * odd + c * even)]
     }
 
-    /// The Earth at a position. The reference follows where the position is too far from it.
-    pub fn follow(&mut self, position: &Geodetic<Pair<R>>) -> Locality<R> {
-        if !(position.latitude.hi - self.latitude).is_within(R::of(FARTHEST)) {
-            *self = Self::at(position.latitude);
+    /// The reference itself, or one at the position where that is too far from it.
+    pub fn followed(&self, position: &Geodetic<Pair<R>>) -> Self {
+        if (position.latitude.hi - self.latitude).is_within(R::of(FARTHEST)) {
+            *self
+        } else {
+            Self::at(position.latitude)
         }
-        let [sine, cosine] = self.nearby(position.latitude);
+    }
+
+    /// The Earth at a position.
+    pub fn locality(&self, position: &Geodetic<Pair<R>>) -> Locality<R> {
+        let reference = self.followed(position);
+        let [sine, cosine] = reference.nearby(position.latitude);
         let here = Surroundings::from_latitude(sine, cosine, position.altitude.hi);
-        Locality { here, reference: *self }
+        Locality { here, reference }
     }
 }
 

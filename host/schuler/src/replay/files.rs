@@ -8,7 +8,7 @@ use super::{page, summary};
 use crate::report::files::drawn;
 use schuler_simulator::flight::{Instant, Nine};
 use schuler_simulator::input::InputError;
-use schuler_simulator::output::{self, NumberTable, OutputFile};
+use schuler_simulator::output::{NumberTable, OutputFile};
 
 /// The report being written, apart from its table of drift.
 pub struct ReportFiles {
@@ -58,9 +58,4 @@ impl ReportFiles {
         summary.put(summary::json(flight, comparison, about, &REPORT))?;
         Ok(vec![drift.into_file(), picture, page, summary])
     }
-}
-
-/// Puts `nav.csv`, the messages and a report in their places.
-pub fn place(nav: Vec<OutputFile>, report: Vec<OutputFile>) -> Result<(), InputError> {
-    output::place(nav.into_iter().chain(report).collect(), &[])
 }

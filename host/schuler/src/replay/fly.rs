@@ -1,7 +1,7 @@
 //! The flight through a recording: samples one by one, for alignment or navigation.
 
 use super::held::Held;
-use super::rows::Rows;
+use super::rows::{Finished, Rows};
 use super::spans::{Place, Spans};
 use crate::cli::ReplayArgs;
 use schuler::flight::plan;
@@ -46,6 +46,8 @@ pub struct Flight {
     pub nav: Vec<OutputFile>,
     /// Every row, where they are to be compared.
     pub track: Option<Track>,
+    /// The rows of `nav.csv`, where they are wanted.
+    pub rows: Vec<NavigationRow>,
 }
 
 /// What a flight is flown by.
@@ -60,6 +62,8 @@ pub struct Orders<'a> {
     pub heights: Option<Heights>,
     /// Where the rows go.
     pub nav: &'a Path,
+    /// Whether they are wanted in memory, too.
+    pub keep: bool,
 }
 
 /// Missing samples that were filled from their neighbours.
@@ -179,7 +183,7 @@ impl<'a> Flying<'a> {
         orders: &'a Orders,
         start: &NavigationRow,
     ) -> Result<Self, FlightError> {
-        let Orders { args, options, shape, heights, nav } = orders;
+        let Orders { args, options, shape, heights, nav, keep } = orders;
         let (order, interval) = (plan::HIGHEST_ORDER, survey.clock.interval());
         let opening = args.align.is_none();
         let opening = opening.then(|| Opening::new(&recording.name, recording.kind, start));
@@ -195,7 +199,7 @@ impl<'a> Flying<'a> {
         }
         let even = matches!(survey.clock, Clock::Even { .. });
         let mcap = args.mcap.as_deref();
-        let rows = Rows::new(nav, mcap, args.every, start, args.reference.is_some())?;
+        let rows = Rows::new(nav, mcap, args.every, start, args.reference.is_some(), *keep)?;
         let held = heights.as_ref().map(Held::new);
         Ok(Self { recording, even, navigator, rows, held, samples: 0, opening })
     }
@@ -232,10 +236,11 @@ impl<'a> Flying<'a> {
         }
         navigator.finish(&mut |_, row| rows.add(row));
         let (neglected, last) = (rows.highest.neglected(), rows.last);
-        let (nav, track) = rows.finish()?;
+        let Finished { files: nav, track, kept: rows } = rows.finish()?;
         let (bridged, outside) = (Bridged::default(), (0, None));
         let digest = navigator.digest();
-        Ok(Flight { start, last, bridged, outside, neglected, samples, digest, nav, track })
+        let flown = Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };
+        Ok(flown)
     }
 }
 

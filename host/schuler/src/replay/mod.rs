@@ -19,10 +19,11 @@ use files::ReportFiles;
 use fly::Orders;
 use places::Places;
 use schuler::flight::plan;
+use schuler::solution::Solution;
 use schuler_simulator::flight::Instant;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::number::parameter;
-use schuler_simulator::output::say;
+use schuler_simulator::output::{self, OutputFile, say};
 use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::NavigationRow;
 use schuler_simulator::recording::reference::Reference;
@@ -40,6 +41,41 @@ use summary::About;
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
     let recording = Recording::open_as(&args.imu.display().to_string(), &args.given())?;
+    let Replayed { text, files, .. } = fly(args, &recording, false)?;
+    output::place(files, &[])?;
+    let places = Places::new(&args.out, args.reference.is_some());
+    let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
+    let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
+    let nav = places.nav.display();
+    let [report, messages] = [report, messages].map(Option::unwrap_or_default);
+    say(&format!("{text}written to {nav}{messages}{report}\n"))?;
+    Ok(())
+}
+
+/// A replay that has reached its end.
+pub struct Replayed {
+    /// What is said of its end.
+    pub text: String,
+    /// Where it started, at a time, s.
+    pub start: (f64, Solution<f64>),
+    /// Digest of every state.
+    pub digest: u64,
+    /// The window.
+    pub window: Option<WindowShape>,
+    /// The rows of `nav.csv`, where they are wanted.
+    pub rows: Vec<NavigationRow>,
+    /// `summary.json` and `report.html`, where it is compared and its rows are wanted.
+    pub report: Option<[String; 2]>,
+    /// Every file, not in its place yet.
+    pub files: Vec<OutputFile>,
+}
+
+/// Flies a recording. Its rows are wanted in memory, too, where `keep` says so.
+pub fn fly(
+    args: &ReplayArgs,
+    recording: &Recording,
+    keep: bool,
+) -> Result<Replayed, FlightError> {
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     args.handling.apply(&mut options);
@@ -49,17 +85,17 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
         .as_ref()
         .map(|file| Reference::open(&file.display().to_string(), recording.scale));
     let reference = reference.transpose()?;
-    let (initial, args) = &initial::initial(args, &recording)?;
+    let (initial, args) = &initial::initial(args, recording)?;
 
     let measured = spans::about(args, initial);
-    let survey = Survey::of(&recording, args.rate.map(|rate_hz| 1.0 / rate_hz), measured)?;
+    let survey = Survey::of(recording, args.rate.map(|rate_hz| 1.0 / rate_hz), measured)?;
     let spans = spans::Spans::new(args, &survey, initial)?;
     let end_s = spans.until_s.min(survey.end_s);
     if let Some(reference) = &reference {
         comparison::check(reference, spans.navigate_s, end_s)?;
     }
     let shape = shape(&options, &survey);
-    for line in survey.said(&recording) {
+    for line in survey.said(recording) {
         say(&format!("{line}\n"))?;
     }
     if options.algorithm == Algorithm::Taylor {
@@ -73,27 +109,27 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     let has =
         reference.as_ref().map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
     let mut files = has.map(|has| ReportFiles::create(&places, has)).transpose()?.flatten();
-    let orders = Orders { args, options, shape, heights, nav: &places.nav };
-    let mut flight = fly::fly(&recording, &survey, &spans, initial, &orders)?;
+    let orders = Orders { args, options, shape, heights, nav: &places.nav, keep };
+    let mut flight = fly::fly(recording, &survey, &spans, initial, &orders)?;
     let mut text = report::text(&flight, &spans, args.align.is_some());
-    let mut filled = Vec::new();
+    let (mut filled, mut report) = (Vec::new(), None);
     if let (Some(reference), Some(track)) = (&reference, flight.track.take()) {
         let mut row = |instant: &Instant| files.as_mut().map_or(Ok(()), |files| files.row(instant));
         let comparison = comparison::compare(&track, reference, args.lag, &mut row)?;
         let (imu, rate_hz) = (recording.name.as_str(), 1.0 / survey.clock.interval_s());
         let about = About { imu, rate_hz, options: &orders.options, shape, spans: &spans };
         text += &table::table(&comparison);
+        report = keep.then(|| {
+            [summary::json(&flight, &comparison, &about, &[]), page::page(&flight, &comparison, &about)]
+        });
         if let Some(files) = files {
             filled = files.fill(&flight, &comparison, &about)?;
         }
     }
-    files::place(flight.nav, filled)?;
-    let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
-    let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
-    let nav = places.nav.display();
-    let [report, messages] = [report, messages].map(Option::unwrap_or_default);
-    say(&format!("{text}written to {nav}{messages}{report}\n"))?;
-    Ok(())
+    let window = (orders.options.algorithm == Algorithm::Taylor).then_some(shape);
+    let start = (spans.navigate_s, flight.start);
+    let files = flight.nav.into_iter().chain(filled).collect();
+    Ok(Replayed { text, start, digest: flight.digest, window, rows: flight.rows, report, files })
 }
 
 /// The height that the vertical is held to, where it is; it must be known all along, s.

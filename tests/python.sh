@@ -57,7 +57,7 @@ cd "$out"
 
 # Stubs are right by a checker's rules, and those of what is there.
 "$python" -m mypy --strict --package schuler
-MYPYPATH=$tests "$python" -m mypy --strict "$tests"/*.py
+MYPYPATH=$tests "$python" -m mypy --strict "$tests"/*.py "$root"/host/python/examples/*.py
 "$python" -m mypy.stubtest schuler._schuler --ignore-disjoint-bases
 
 for example in "$root"/host/python/examples/*.py; do

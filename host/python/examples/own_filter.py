@@ -14,6 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import schuler
+from schuler.types import Array
 
 RATE, SECONDS, FIX_M = 100, 300, 2.0
 HOUR, DEGREE, MICRO_G = 3600.0, np.pi / 180, 9.80665e-6
@@ -28,15 +29,16 @@ increments, truth = data.imu.array[:, 1:], data.truth.array[::RATE]
 fixes = np.random.default_rng(1).normal(0, FIX_M, (SECONDS + 1, 3))
 
 
-def difference(state: schuler.State, true: np.ndarray) -> np.ndarray:
+def difference(state: schuler.State, true: Array) -> Array:
     """North, east, down from a true position to a state, m."""
     latitude, longitude = state.latitude_deg - true[1], (state.longitude_deg - true[2] + 180) % 360 - 180
     north, east = np.array([latitude, longitude * np.cos(true[1] * DEGREE)]) * DEGREE * EARTH_M
     return np.array([north, east, true[3] - state.altitude_m])
 
 
-def body_to_ned(state: schuler.State) -> np.ndarray:
-    (sr, sp, sy), (cr, cp, cy) = (f(np.array([state.roll_deg, state.pitch_deg, state.yaw_deg]) * DEGREE) for f in (np.sin, np.cos))
+def body_to_ned(state: schuler.State) -> Array:
+    angles = np.array([state.roll_deg, state.pitch_deg, state.yaw_deg]) * DEGREE
+    (sr, sp, sy), (cr, cp, cy) = np.sin(angles), np.cos(angles)
     return np.array(
         [
             [cp * cy, sr * sp * cy - cr * sy, cr * sp * cy + sr * sy],
@@ -46,13 +48,13 @@ def body_to_ned(state: schuler.State) -> np.ndarray:
     )
 
 
-def cross(v: np.ndarray) -> np.ndarray:
+def cross(v: Array) -> Array:
     return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
 
 free, aided = (schuler.Navigator(data.initial, RATE, window="0,4,0") for _ in range(2))
 sigma = np.repeat([1.0, 0.1, 0.2 * DEGREE, 20 * DEGREE / HOUR, 2000 * MICRO_G], 3)
-covariance, bias, errors = np.diag(sigma**2), np.zeros(6), []
+covariance, bias, errors = np.diag(sigma**2), np.zeros(6), np.zeros((SECONDS, 2))
 noise = np.repeat([0, 0.06**2 / HOUR, (0.2 * DEGREE) ** 2 / HOUR, 0, 0], 3)
 for second in range(1, SECONDS + 1):
     samples = increments[(second - 1) * RATE : second * RATE]
@@ -72,9 +74,8 @@ for second in range(1, SECONDS + 1):
     covariance -= gain @ covariance[:3]
     aided.correct(position_ned_m=-found[:3], velocity_ned_m_s=-found[3:6], attitude_ned_rad=-found[6:9])
     bias += found[9:]
-    errors.append([np.linalg.norm(difference(navigator.state, truth[second])) for navigator in (free, aided)])
+    errors[second - 1] = [np.linalg.norm(difference(navigator.state, truth[second])) for navigator in (free, aided)]
 
-errors = np.array(errors)
 print(f"after {SECONDS} s: {errors[-1, 0]:.0f} m alone, {errors[-1, 1]:.1f} m with fixes of {FIX_M} m")
 assert errors[SECONDS // 2 :, 1].max() < 3 * FIX_M < errors[-1, 0]
 figure, axis = plt.subplots(figsize=(9, 5))

@@ -10,25 +10,15 @@ import matplotlib.pyplot as plt
 import schuler
 
 # A tactical unit: what the sheet says, in its own units.
-sheet = {
-    "gyro": {
-        "turn_on_bias_deg_h": 0.5,
-        "bias_instability_deg_h": 0.1,
-        "angle_random_walk_deg_sqrt_h": 0.02,
-        "scale_factor_ppm": [100, -50, 80],
-        "misalignment_arcsec": [10, -10, 5],
-    },
-    "accelerometer": {
-        "turn_on_bias_ug": 200,
-        "velocity_random_walk_m_s_sqrt_h": 0.01,
-        "scale_factor_ppm": 100,
-    },
+gyro = {
+    "turn_on_bias_deg_h": 0.5,
+    "bias_instability_deg_h": 0.1,
+    "angle_random_walk_deg_sqrt_h": 0.02,
 }
+geometry = {"scale_factor_ppm": [100, -50, 80], "misalignment_arcsec": [10, -10, 5]}
+accelerometer = {"turn_on_bias_ug": 200, "velocity_random_walk_m_s_sqrt_h": 0.01, "scale_factor_ppm": 100}
 flights = {}
 for title, factor in (("as on the sheet", 1.0), ("gyros ten times better", 0.1)):
-    gyro = {**sheet["gyro"]}
-    for key in ("turn_on_bias_deg_h", "bias_instability_deg_h", "angle_random_walk_deg_sqrt_h"):
-        gyro[key] = factor * sheet["gyro"][key]
     scene = {
         "title": title,
         "rate_hz": 100,
@@ -40,8 +30,8 @@ for title, factor in (("as on the sheet", 1.0), ("gyros ten times better", 0.1))
             "longitude_deg": {"offset": 11},
             "altitude_m": {"offset": 1000},
         },
-        **sheet,
-        "gyro": gyro,
+        "gyro": {key: factor * value for key, value in gyro.items()} | geometry,
+        "accelerometer": accelerometer,
     }
     flights[title] = schuler.run(scene, every="1s", vertical="held")
 

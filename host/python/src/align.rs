@@ -64,9 +64,9 @@ pub fn align(
     });
     let text = warned(py, heard)?;
     let aligned = aligned?;
-    let readings = still.readings().ok_or_else(|| {
-        Fault::argument("increments", "are none", "samples at rest")
-    })?;
+    let readings = still
+        .readings()
+        .ok_or_else(|| Fault::argument("increments", "are none", "samples at rest"))?;
     let quality = judge(&readings, Kind::Increments, &Place::new(initial.position)).quality;
     let heading_sigma = heading.is_none().then_some(quality.heading_sigma / DEGREE);
     Ok(Aligned {

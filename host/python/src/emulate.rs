@@ -51,10 +51,8 @@ fn emulated(
 ) -> Result<Growing, InputError> {
     let samples = scene.samples();
     let names = if rates { &RATES } else { &INCREMENTS };
-    let mut rows = Growing {
-        imu: Rows::new(names, samples),
-        truth: Rows::new(&COLUMNS, 1 + samples),
-    };
+    let mut rows =
+        Growing { imu: Rows::new(names, samples), truth: Rows::new(&COLUMNS, 1 + samples) };
     let mut stream = source.start(0);
     let truth = |sample: u64| NavigationRow::new(source.time_s(sample), &source.truth(sample));
     rows.truth.add(&truth(0).columns());
@@ -67,7 +65,7 @@ fn emulated(
         };
         if let Some(six) = six {
             rows.imu.add(&[source.time_s(sample)]);
-            six.map(|three| rows.imu.add(&three.into_array()));
+            six.iter().for_each(|three| rows.imu.add(&three.into_array()));
         }
         rows.truth.add(&truth(sample).columns());
     }

@@ -124,7 +124,8 @@ fn found(scene: &Asked, runs: u64, instants: u64, threads: Option<usize>) -> Ans
     if precision != Precision::F64 {
         // What rounding adds is not theory's.
         comparisons.iter_mut().for_each(|comparison| comparison.tests = None);
-        note = format!("not tested: rounding in {precision}, which theory leaves out, may matter\n");
+        note =
+            format!("not tested: rounding in {precision}, which theory leaves out, may matter\n");
     }
     let text = table::table(&comparisons, ended)
         + &note

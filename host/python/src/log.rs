@@ -12,15 +12,8 @@ use std::sync::Arc;
 use tempfile::TempDir;
 
 /// The columns of a log; the last three may be absent.
-const COLUMNS: [&str; 7] = [
-    "time_s",
-    "latitude_deg",
-    "longitude_deg",
-    "altitude_m",
-    "roll_deg",
-    "pitch_deg",
-    "yaw_deg",
-];
+const COLUMNS: [&str; 7] =
+    ["time_s", "latitude_deg", "longitude_deg", "altitude_m", "roll_deg", "pitch_deg", "yaw_deg"];
 /// What stands for the arrays where a file would be named.
 const NAME: &str = "trajectory.log";
 

@@ -7,7 +7,6 @@ use crate::options::{OF_NAVIGATOR, Options};
 use crate::state::State;
 use crate::table::{Rows, Table};
 use numpy::ndarray::{ArrayView1, ArrayView2};
-use numpy::PyArrayMethods as _;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use schuler::flight::catalogue::{Catalogue as _, Every};
@@ -128,15 +127,16 @@ fn said(taken: u64, end_s: f64, why: Rejected) -> String {
 }
 
 /// A navigator of the catalogue by its name, or by options as a scene has them.
-fn configuration(
-    name: Option<&str>,
-    options: Option<&Bound<'_, PyDict>>,
-) -> Answer<Configuration> {
+fn configuration(name: Option<&str>, options: Option<&Bound<'_, PyDict>>) -> Answer<Configuration> {
     let mut asked = scene::Navigator::default();
     let options = Options::among(OF_NAVIGATOR, options)?;
     if let Some(name) = name {
         let unknown = |what: String| {
-            Fault::argument("name", what, "a name of navigators(), as \"f64 local-level taylor 2,4,2\"")
+            Fault::argument(
+                "name",
+                what,
+                "a name of navigators(), as \"f64 local-level taylor 2,4,2\"",
+            )
         };
         let one: Configuration =
             name.parse().map_err(|_| unknown(format!("{name:?} is no navigator")))?;
@@ -332,9 +332,9 @@ impl Navigator {
 }
 
 fn interval(interval_s: f64) -> Answer<f64> {
-    INTERVAL_S.check(interval_s).map_err(|Complaint { what, accepted }| {
-        Fault::argument("interval_s", what, accepted)
-    })
+    INTERVAL_S
+        .check(interval_s)
+        .map_err(|Complaint { what, accepted }| Fault::argument("interval_s", what, accepted))
 }
 
 /// The names of all navigators.

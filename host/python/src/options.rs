@@ -92,17 +92,11 @@ pub fn number(name: &str, value: &Bound<'_, PyAny>, range: &Range) -> Answer<f64
 
 fn seed(value: &Bound<'_, PyAny>) -> Answer<u64> {
     let accepted = format!("an integer from 0 to {}", u64::MAX);
-    value
-        .extract()
-        .map_err(|_| Fault::option("--seed", Complaint::new("is not a seed", accepted)))
+    value.extract().map_err(|_| Fault::option("--seed", Complaint::new("is not a seed", accepted)))
 }
 
 /// One of some names.
-pub fn named<T: Copy>(
-    name: &str,
-    value: &Bound<'_, PyAny>,
-    names: &[(&str, T)],
-) -> Answer<T> {
+pub fn named<T: Copy>(name: &str, value: &Bound<'_, PyAny>, names: &[(&str, T)]) -> Answer<T> {
     let refuse = |what: String| Fault::option(&dashed(name), Complaint::new(what, choices(names)));
     let text: String = value.extract().map_err(|_| refuse("is not text".to_owned()))?;
     let found = names.iter().find(|(known, _)| *known == text).map(|(_, value)| *value);

@@ -6,11 +6,11 @@ use crate::notebook;
 use crate::options::{self, OF_HANDLING, Options};
 use crate::state::State;
 use crate::table::{Rows, Table};
-use numpy::{AllowTypeChange, PyArrayLike2, PyArrayMethods as _};
+use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use schuler_host::cli::{Height, Lag, ReplayArgs};
-use schuler_host::replay::{self, Replayed};
+use schuler_host::replay::{Replayed, fly};
 use schuler_simulator::input::{Complaint, InputError, Range};
 use schuler_simulator::output::NumberTable;
 use schuler_simulator::output::heard::overheard;
@@ -91,8 +91,19 @@ impl Replay {
 
 /// Keywords of `replay` that are not those of a scene.
 const OWN: [&str; 13] = [
-    "map", "columns", "axes", "units", "reference", "lag", "start", "align", "heading", "until", "rate",
-    "height", "every",
+    "map",
+    "columns",
+    "axes",
+    "units",
+    "reference",
+    "lag",
+    "start",
+    "align",
+    "heading",
+    "until",
+    "rate",
+    "height",
+    "every",
 ];
 
 /// Navigates a recording.
@@ -135,7 +146,7 @@ fn flown(args: &ReplayArgs, source: &Source) -> Result<Replayed, FlightError> {
             recording
         }
     };
-    replay::fly(args, &recording, true)
+    fly(args, &recording, true)
 }
 
 /// Where samples come from.
@@ -160,15 +171,16 @@ impl Source {
         {
             return Ok(Self::File(path));
         }
-        let accepted = "a path, the imu of an Emulation, or an array of seven columns: time_s and increments";
+        let accepted =
+            "a path, the imu of an Emulation, or an array of seven columns: time_s and increments";
         let refuse = |what: String| Fault::argument("imu", what, accepted);
         let mut names = &INCREMENTS;
         let array: PyArrayLike2<'_, f64, AllowTypeChange> = match table {
             Ok(table) => {
                 let table = table.get();
-                let known = [&INCREMENTS, &RATES].into_iter().find_map(|names| {
-                    table.with_columns(names).map(|array| (names, array))
-                });
+                let known = [&INCREMENTS, &RATES]
+                    .into_iter()
+                    .find_map(|names| table.with_columns(names).map(|array| (names, array)));
                 let (found, array) =
                     known.ok_or_else(|| refuse("is a table of something else".to_owned()))?;
                 names = found;
@@ -273,7 +285,8 @@ fn set(args: &mut ReplayArgs, name: &str, value: &Bound<'_, PyAny>) -> Answer<()
         "start" => args.start = Some(number(&time)?),
         "align" => args.align = Some(number(&length)?),
         "heading" => {
-            args.heading = Some(number(&Range::from_to(-360.0, 360.0, "degrees, from -360 to 360"))?);
+            args.heading =
+                Some(number(&Range::from_to(-360.0, 360.0, "degrees, from -360 to 360"))?);
         }
         "until" => args.until = Some(number(&time)?),
         "rate" => args.rate = Some(number(&schuler_simulator::scene::limits::RATE_HZ)?),

@@ -44,8 +44,12 @@ impl Growing {
         let rows = 1 + scene.samples();
         let rows = every.map_or(rows, |every| 1 + every.kept(rows, 1.0 / scene.rate_hz));
         let of = |suffix: &'static str| Nine::NAMES.map(|name| format!("{name}{suffix}"));
-        let names: Vec<_> =
-            ["time_s".to_owned()].into_iter().chain(of("")).chain(of("_mean")).chain(of("_sigma")).collect();
+        let names: Vec<_> = ["time_s".to_owned()]
+            .into_iter()
+            .chain(of(""))
+            .chain(of("_mean"))
+            .chain(of("_sigma"))
+            .collect();
         Self {
             drift: Rows::new(&names, rows),
             nav: Rows::new(&COLUMNS, rows),

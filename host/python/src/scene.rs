@@ -23,10 +23,7 @@ pub struct Scene {
 impl Scene {
     #[new]
     #[pyo3(signature = (source=None, **options))]
-    fn new(
-        source: Option<&Bound<'_, PyAny>>,
-        options: Option<&Bound<'_, PyDict>>,
-    ) -> Answer<Self> {
+    fn new(source: Option<&Bound<'_, PyAny>>, options: Option<&Bound<'_, PyDict>>) -> Answer<Self> {
         Ok(Self { scene: of(source, options)? })
     }
 
@@ -92,8 +89,7 @@ fn read(source: &Bound<'_, PyAny>) -> Answer<scene::Scene> {
     }
     if let Ok(text) = source.extract::<String>() {
         let is_text = text.contains(['\n', '=']);
-        let scene =
-            if is_text { parse::scene("scene.toml", &text)? } else { scene::load(&text)? };
+        let scene = if is_text { parse::scene("scene.toml", &text)? } else { scene::load(&text)? };
         return Ok(scene);
     }
     if let Ok(table) = source.cast::<PyMapping>() {

@@ -175,4 +175,3 @@ impl State {
         format!("schuler.State({})", numbers.join(", "))
     }
 }
-

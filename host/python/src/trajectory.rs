@@ -49,10 +49,7 @@ fn of_motion(
 impl Trajectory {
     #[new]
     #[pyo3(signature = (source=None, **options))]
-    fn new(
-        source: Option<&Bound<'_, PyAny>>,
-        options: Option<&Bound<'_, PyDict>>,
-    ) -> Answer<Self> {
+    fn new(source: Option<&Bound<'_, PyAny>>, options: Option<&Bound<'_, PyDict>>) -> Answer<Self> {
         let motion = source.and_then(|source| source.cast::<PyMapping>().ok());
         let motion = match motion {
             Some(motion) if !motion.contains("trajectory")? => Some(motion),
@@ -79,9 +76,8 @@ impl Trajectory {
 
     /// The state at a time, s.
     fn state(&self, time_s: f64) -> Answer<State> {
-        let time_s = Range::FINITE
-            .check(time_s)
-            .map_err(|complaint| Fault::option("time_s", complaint))?;
+        let time_s =
+            Range::FINITE.check(time_s).map_err(|complaint| Fault::option("time_s", complaint))?;
         Ok(State::start(time_s, &self.course.initial_at(Pair::new(time_s))))
     }
 

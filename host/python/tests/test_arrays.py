@@ -21,7 +21,7 @@ class Arrays(unittest.TestCase):
         self.assertFalse(np.shares_memory(np.array(table), table.array))
         self.assertEqual(np.asarray(table, dtype=np.float32).dtype, np.float32)
         self.assertEqual((len(table), list(table), "time_s" in table), (40, list(table.columns), True))
-        self.assertEqual(set(dict(table)), set(table.columns))  # type: ignore[call-overload]
+        self.assertEqual(set(dict(table)), set(table.columns))
         with self.assertRaisesRegex(KeyError, "did you mean"):
             table["dvel_z"]
 

@@ -103,7 +103,7 @@ class Input(unittest.TestCase):
         file = self.folder / "log.csv"
         lines = [",".join(names), *(",".join(repr(float(rows[name][i])) for name in names) for i in range(len(rows)))]
         file.write_text("\n".join(lines) + "\n")
-        motions = [{"log": {"file": str(file)}}, {"log": {name: rows[name] for name in names}}]
+        motions: list[dict[str, Any]] = [{"log": {"file": str(file)}}, {"log": {name: rows[name] for name in names}}]
         digests = {schuler.run({"rate_hz": 50, "trajectory": motion}, rows=False).digest for motion in motions}
         self.assertEqual(len(digests), 1)
         again = schuler.Trajectory(motions[1]).at(times)

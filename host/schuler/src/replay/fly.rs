@@ -239,7 +239,8 @@ impl<'a> Flying<'a> {
         let Finished { files: nav, track, kept: rows } = rows.finish()?;
         let (bridged, outside) = (Bridged::default(), (0, None));
         let digest = navigator.digest();
-        let flown = Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };
+        let flown =
+            Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };
         Ok(flown)
     }
 }

@@ -71,11 +71,7 @@ pub struct Replayed {
 }
 
 /// Flies a recording. Its rows are wanted in memory, too, where `keep` says so.
-pub fn fly(
-    args: &ReplayArgs,
-    recording: &Recording,
-    keep: bool,
-) -> Result<Replayed, FlightError> {
+pub fn fly(args: &ReplayArgs, recording: &Recording, keep: bool) -> Result<Replayed, FlightError> {
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     args.handling.apply(&mut options);
@@ -120,7 +116,10 @@ pub fn fly(
         let about = About { imu, rate_hz, options: &orders.options, shape, spans: &spans };
         text += &table::table(&comparison);
         report = keep.then(|| {
-            [summary::json(&flight, &comparison, &about, &[]), page::page(&flight, &comparison, &about)]
+            [
+                summary::json(&flight, &comparison, &about, &[]),
+                page::page(&flight, &comparison, &about),
+            ]
         });
         if let Some(files) = files {
             filled = files.fill(&flight, &comparison, &about)?;

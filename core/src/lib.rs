@@ -18,6 +18,8 @@ compile_error!("x87 rounds to other bits: build for a processor with SSE2");
 pub mod strapdown;
 
 pub mod alignment;
+#[cfg(feature = "allan")]
+pub mod allan;
 pub mod digest;
 pub mod drift;
 pub mod earth;

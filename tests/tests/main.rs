@@ -14,11 +14,13 @@
 //! | `lanes` | runs abreast |
 //! | `paths` | splines, way-points, logs |
 //! | `link` | frames, and the application at their end |
+//! | `allan` | the Allan variance, and its degrees of freedom |
 //! | `catalogue`, `scenes` | navigators by name; the scene that stands in source and in TOML |
 //! | `release` | licences and version |
 //! | `matrix` | what the matrix of targets refuses |
 //! | `figures`, `speed` | the README's figures, and what the benchmarks fly |
 
+mod allan;
 mod catalogue;
 mod drift;
 mod ensemble;

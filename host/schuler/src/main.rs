@@ -3,7 +3,8 @@
 use clap::Parser;
 use schuler_host::cli::{Cli, Command};
 use schuler_host::{
-    audit, emulate, ensemble, frontier, hil, replay, run, scenes, stress, trajectory,
+    allan, audit, datasheet, emulate, ensemble, frontier, hil, replay, run, scenes, stress,
+    trajectory,
 };
 use schuler_simulator::output::stop;
 use schuler_simulator::simulate::FlightError;
@@ -18,6 +19,8 @@ fn main() -> ExitCode {
         Command::Frontier(args) => frontier::frontier(&args),
         Command::Stress(args) => stress::stress(&args),
         Command::Ensemble(args) => ensemble::ensemble(&args),
+        Command::Allan(args) => allan::allan(&args),
+        Command::Datasheet(args) => datasheet::datasheet(&args).map_err(FlightError::from),
         Command::Audit(command) => audit::audit(&command),
         Command::Hil(args) => hil::hil(&args),
         Command::Twin => hil::serve::serve().map_err(FlightError::from),

@@ -7,6 +7,7 @@
 //! | `scene` | what scenes may say |
 //! | `recording`, `rest` | what recordings may say, and what contradicts itself |
 //! | `reference` | positions that others measured |
+//! | `allan` | sensors by their Allan deviation, and by their data sheets |
 //! | `audit` | chains, recorded and compared |
 //! | `ensemble` | many runs |
 //! | `frontier` | run time against error |
@@ -16,6 +17,7 @@
 //! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
+mod allan;
 mod audit;
 mod audit_refused;
 mod command_line;

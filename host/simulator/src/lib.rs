@@ -15,8 +15,11 @@
 //! | [`portrait`], [`formats`] | what a motion is like, and its path for other tools |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
 //! | [`mod@reference`] | positions of others: a reference, way-points |
+//! | [`allan`], [`datasheet`] | sensors identified by their Allan deviation, or by their data sheet |
 
+pub mod allan;
 pub mod course;
+pub mod datasheet;
 pub mod emulator;
 pub mod ensemble;
 pub mod flight;

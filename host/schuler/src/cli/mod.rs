@@ -1,5 +1,6 @@
 //! The command line: commands, their options, and what they do to a scene.
 
+mod allan;
 mod apart;
 mod audit;
 mod emulate;
@@ -10,6 +11,7 @@ mod scenes;
 mod start;
 
 pub use crate::report::every::Every;
+pub use allan::{AllanArgs, DatasheetArgs, Span};
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use emulate::EmulateArgs;
 pub use hil::HilArgs;
@@ -64,6 +66,10 @@ pub enum Command {
     Stress(StressArgs),
     /// Fly many runs of a scene: does their drift scatter as theory says?
     Ensemble(EnsembleArgs),
+    /// Identify a sensor at rest by its Allan deviation, or check a scene's terms against it
+    Allan(AllanArgs),
+    /// Turn the numbers of a data sheet into a scene's sensor sections
+    Datasheet(DatasheetArgs),
     /// Digests of flights, and where two of them first part
     #[command(subcommand)]
     Audit(AuditCommand),

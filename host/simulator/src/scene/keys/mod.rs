@@ -11,6 +11,8 @@ pub mod motion;
 pub mod path;
 
 use super::terms::{Key as Term, TERMS};
+use crate::allan::TRIADS;
+use crate::datasheet::entries;
 use crate::flight::Nine;
 use crate::input::key::Table;
 use std::fmt::Write as _;
@@ -53,6 +55,12 @@ pub fn reference() -> String {
         let takes = term.range.accepted;
         // A String takes all that is written.
         let _ = writeln!(text, "| {} | {gyro} | {accelerometer} | {takes} |", term.name);
+    }
+    text += "\n### In the units of data sheets\n\nThe same terms may be given so:\n\n| in | key | gives |\n|---|---|---|\n";
+    for (triad, table) in TRIADS.iter().enumerate() {
+        for entry in entries::of(triad).iter().filter(|entry| entry.is_unit()) {
+            let _ = writeln!(text, "| [{table}] | `{}` | `{}` |", entry.key, entry.gives);
+        }
     }
     text += "\n## [initial_error]\n\nWhat the navigator's start is off by; 0 where absent: ";
     let names: Vec<_> = Nine::NAMES.iter().map(|name| format!("`{name}`")).collect();

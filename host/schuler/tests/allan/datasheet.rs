@@ -1,0 +1,101 @@
+//! Data sheets' units are those of scenes, times what the books say.
+
+use schuler_simulator::datasheet::{keys, sections};
+use schuler_simulator::scene::parse;
+
+/// The number of a key in a text.
+fn number(text: &str, key: &str) -> f64 {
+    let line =
+        text.lines().find(|line| line.starts_with(key)).unwrap_or_else(|| panic!("{key}: {text}"));
+    line.split_once(" = ").unwrap().1.parse().unwrap()
+}
+
+#[test]
+fn units_become_those_of_a_scene() {
+    let text = sections(
+        "sheet.toml",
+        "sample_rate_hz = 100\n[gyro]\nnoise_density_mdps_sqrt_hz = 5\nin_run_bias_stability_deg_h = 6.642824703\n\
+         scale_factor_percent = 0.1\nfull_scale_deg_s = 300\nresolution_mdps = 10\ncross_axis_percent = 0.1\n\
+         g_sensitivity_deg_s_g = 0.01\nbandwidth_hz = 50\n\
+         [accelerometer]\nnoise_density_ug_sqrt_hz = 60\nbias_repeatability_mg = 2\nfull_scale_g = 8\n",
+    )
+    .unwrap();
+    for (key, value) in [
+        // 5e-3 °/s/√Hz × 60 √s/√h
+        ("angle_random_walk_deg_sqrt_h", 0.3),
+        // σ_min/√(2 ln 2/π)
+        ("bias_instability_deg_h", 10.0),
+        ("scale_factor_ppm", 1000.0),
+        ("saturation_deg_s", 300.0),
+        // 0.01 °/s × 0.01 s = 1e-4°
+        ("quantization_arcsec", 0.36),
+        // 1e-3 rad
+        ("misalignment_arcsec", 206.265),
+        ("g_sensitivity_deg_h_g", 36.0),
+        // 60e-6 × 9.80665 m/s²/√Hz × 60
+        ("velocity_random_walk_m_s_sqrt_h", 0.0353039),
+        ("turn_on_bias_ug", 2000.0),
+        ("saturation_g", 8.0),
+    ] {
+        let found = number(&text, key);
+        assert!((found / value - 1.0).abs() < 1e-5, "{key}: {found}");
+    }
+    for note in ["B = σ_min/0.664", "bandwidth_hz: left out", "taken as rms", "one small rotation"]
+    {
+        assert!(text.contains(note), "{note}: {text}");
+    }
+    // What is printed is a scene's.
+    let scene = format!("duration_s = 1\nrate_hz = 100\n{text}");
+    assert!(parse::scene("x.toml", &scene).is_ok(), "{text}");
+}
+
+#[test]
+fn a_floor_may_be_that_of_a_random_walk() {
+    // σ_min² = 2NK/√3: N = 1 °/√h = 1/60 °/√s, σ_min = 3 °/h = 1/1200 °/s.
+    let text = sections(
+        "sheet.toml",
+        "bias_model = \"random-walk\"\n[gyro]\nangle_random_walk_deg_sqrt_h = 1\nin_run_bias_stability_deg_h = 3\n",
+    )
+    .unwrap();
+    // K = √3/(2·1200²)·60 °/s/√s, × 3600 × 60 °/h/√h
+    let expected = 3f64.sqrt() / 2.0 / 1200f64.powi(2) * 60.0 * 3600.0 * 60.0;
+    let found = number(&text, "rate_random_walk_deg_h_sqrt_h");
+    assert!((found / expected - 1.0).abs() < 1e-5, "{found} {expected}");
+}
+
+#[test]
+fn what_is_wrong_in_a_data_sheet_is_told() {
+    for (text, words) in [
+        (
+            "[gyro]\nnoise_densty_mdps_sqrt_hz = 5\n",
+            &["sheet.toml:2", "noise_density_mdps_sqrt_hz"][..],
+        ),
+        ("[gyro]\nresolution_mdps = 5\n", &["sheet.toml:2", "sample_rate_hz"]),
+        ("[gyro]\nnoise_density_mdps_sqrt_hz = -5\n", &["out of range", "from 0 up"]),
+        (
+            "[gyro]\nnoise_density_mdps_sqrt_hz = 5\nangle_random_walk_deg_sqrt_h = 1\n",
+            &["sheet.toml:2", "another key gives, too"],
+        ),
+        ("sample_rate_hz = 5\n", &["no table of a sensor"]),
+    ] {
+        let error = sections("sheet.toml", text).unwrap_err().to_string();
+        for word in words {
+            assert!(error.contains(word), "{word}: {error}");
+        }
+    }
+    assert!(keys().contains("noise_density_ug_sqrt_hz"));
+}
+
+#[test]
+fn a_scene_takes_the_same_units() {
+    let scene = |gyro: &str| {
+        parse::scene("x.toml", &format!("duration_s = 1\nrate_hz = 20\n[gyro]\n{gyro}\n"))
+    };
+    let [own, sheet] = ["angle_random_walk_deg_sqrt_h = 0.3", "noise_density_mdps_sqrt_hz = 5"]
+        .map(|gyro| scene(gyro).unwrap().gyro.white.unwrap()[0]);
+    assert!((own / sheet - 1.0).abs() < 1e-14, "{own} {sheet}");
+    // What has to be assumed is for `datasheet` to say.
+    assert!(scene("in_run_bias_stability_deg_h = 5").is_err());
+    let both = "angle_random_walk_deg_sqrt_h = 0.3\nnoise_density_mdps_sqrt_hz = 5";
+    assert!(scene(both).unwrap_err().to_string().contains("another key gives, too"));
+}

@@ -1,0 +1,5 @@
+//! Sensors identified by their Allan deviation, and by their data sheets.
+
+mod command;
+mod datasheet;
+mod fit;

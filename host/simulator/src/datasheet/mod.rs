@@ -1,0 +1,199 @@
+//! Data sheets: their units and their words turned into a scene's sensor sections.
+//!
+//! `entries` lists the numbers; here they are read, converted, and what was assumed is said.
+
+pub mod entries;
+
+use crate::allan::TRIADS;
+use crate::input::document::{Document, Section};
+use crate::input::{Complaint, InputError, Range};
+use crate::number::parameter;
+use crate::scene::SensorErrors;
+use crate::scene::limits;
+use crate::scene::terms::TERMS;
+use entries::{Entry, LEFT_OUT};
+use std::fmt::Write as _;
+
+const RATE: &str = "sample_rate_hz";
+const MODEL: &str = "bias_model";
+/// How a lowest point of the Allan curve is explained.
+const MODELS: &[(&str, bool)] = &[("flicker", false), ("random-walk", true)];
+
+/// The sections of a scene for a data sheet; `file` names it in errors.
+pub fn sections(file: &str, text: &str) -> Result<String, InputError> {
+    let document = Document::parse(file, text)?;
+    let root = document.root(&[TRIADS[0], TRIADS[1], RATE, MODEL])?;
+    let interval_s = root.get(RATE).map(|value| value.number(&limits::RATE_HZ)).transpose()?;
+    let interval_s = interval_s.map(|rate_hz| 1.0 / rate_hz);
+    let walks = root.get(MODEL).map_or(Ok(false), |value| value.choice(MODELS))?;
+    let mut out = format!("# From {file}\n");
+    let mut any = false;
+    for (triad, table) in TRIADS.iter().enumerate() {
+        let known: Vec<_> = names(triad);
+        if let Some(section) = root.section(table, &known)? {
+            out += &one(&section, triad, interval_s, walks)?;
+            any = true;
+        }
+    }
+    if !any {
+        let complaint =
+            Complaint::new("has no table of a sensor", "[gyro], [accelerometer] or both");
+        return Err(InputError::file(file, complaint));
+    }
+    Ok(out)
+}
+
+fn names(triad: usize) -> Vec<&'static str> {
+    let own = entries::of(triad).iter().map(|entry| entry.key);
+    let scene = TERMS.iter().filter_map(|term| [term.gyro, term.accelerometer][triad]);
+    let left_out = LEFT_OUT.iter().map(|(key, _)| *key);
+    own.chain(scene.map(|key| key.key)).chain(left_out).collect()
+}
+
+/// Sets a term that nothing has set yet.
+fn set(
+    errors: &mut SensorErrors,
+    entry: &Entry,
+    values: [f64; 3],
+    section: &Section<'_>,
+) -> Result<(), InputError> {
+    let slot = (entry.slot)(errors);
+    if slot.is_some() {
+        let what = format!("gives {}, which another key gives, too", entry.gives);
+        return Err(section.blame(entry.key, Complaint::new(what, "one of the two")));
+    }
+    *slot = Some(values);
+    Ok(())
+}
+
+/// Reads the keys of a scene's section that differ from the scene's own by their unit alone.
+pub fn read_units(
+    section: &Section<'_>,
+    triad: usize,
+    errors: &mut SensorErrors,
+) -> Result<(), InputError> {
+    for entry in entries::of(triad).iter().filter(|entry| entry.is_unit()) {
+        if let Some(value) = section.get(entry.key) {
+            let values = value.axes(&entry.range)?.map(|x| x * entry.factor);
+            set(errors, entry, values, section)?;
+        }
+    }
+    Ok(())
+}
+
+fn one(
+    section: &Section<'_>,
+    triad: usize,
+    interval_s: Option<f64>,
+    walks: bool,
+) -> Result<String, InputError> {
+    let mut errors = SensorErrors::default();
+    let mut notes: Vec<String> = Vec::new();
+    for term in TERMS {
+        let Some(key) = [term.gyro, term.accelerometer][triad] else { continue };
+        if let Some(value) = section.get(key.key) {
+            *(term.values_mut)(&mut errors) = Some(value.axes(&term.range)?.map(|x| x * key.unit));
+        }
+    }
+    for entry in entries::of(triad) {
+        let Some(value) = section.get(entry.key) else { continue };
+        let mut values = value.axes(&entry.range)?.map(|x| x * entry.factor);
+        if entry.gives.starts_with("quantization") {
+            let Some(interval_s) = interval_s else {
+                let what =
+                    format!("is a step of the rate, and needs {RATE} at the top of the file");
+                return Err(section.blame(entry.key, Complaint::new(what, "samples per second")));
+            };
+            values = values.map(|x| x * interval_s);
+        }
+        set(&mut errors, entry, values, section)?;
+        let is_walk = walks && entry.gives.starts_with("bias_instability");
+        if !entry.assumed.is_empty() && !is_walk {
+            notes.push(format!("{}: {}", entry.key, entry.assumed));
+        }
+    }
+    for (key, why) in LEFT_OUT {
+        if let Some(value) = section.get(key) {
+            value.axes(&Range::FINITE)?;
+            notes.push(format!("{key}: left out; {why}"));
+        }
+    }
+    if walks {
+        walk(section, &mut errors, &mut notes)?;
+    }
+    if errors.white.is_none() {
+        notes.push("no noise density is given: the section has no white noise".to_owned());
+    }
+    Ok(written(triad, &errors, &notes))
+}
+
+/// The floor as the place where white noise and a random walk of the bias meet.
+fn walk(
+    section: &Section<'_>,
+    errors: &mut SensorErrors,
+    notes: &mut Vec<String>,
+) -> Result<(), InputError> {
+    let Some(floor) = errors.bias_instability.take() else { return Ok(()) };
+    let Some(white) = errors.white.filter(|white| white.iter().all(|n| *n > 0.0)) else {
+        let what = format!("{MODEL} \"random-walk\" needs a noise density above 0");
+        return Err(section.error(Complaint::new(what, "a noise density, or \"flicker\"")));
+    };
+    if errors.random_walk.is_some() {
+        let what = format!("has a random walk of its own beside {MODEL} \"random-walk\"");
+        return Err(section.error(Complaint::new(what, "one of the two")));
+    }
+    // N²/τ + K²τ/3 is least at τ = √3 N/K, where it is 2NK/√3.
+    let least = |b: f64| b * entries_floor();
+    let walks: [f64; 3] =
+        std::array::from_fn(|i| 3f64.sqrt() * least(floor[i]).powi(2) / (2.0 * white[i]));
+    errors.random_walk = Some(walks);
+    notes.push(
+        "in-run bias stability: taken for the lowest point of white noise and a random walk of the bias \
+         with nothing between, K = √3 σ_min²/(2N)"
+            .to_owned(),
+    );
+    Ok(())
+}
+
+/// σ_min over B.
+fn entries_floor() -> f64 {
+    (2.0 * std::f64::consts::LN_2 / std::f64::consts::PI).sqrt()
+}
+
+fn written(triad: usize, errors: &SensorErrors, notes: &[String]) -> String {
+    let mut text = String::new();
+    for note in notes {
+        // A String takes all that is written.
+        let _ = writeln!(text, "# {} {note}", TRIADS[triad]);
+    }
+    let _ = writeln!(text, "[{}]", TRIADS[triad]);
+    for term in TERMS {
+        let Some(key) = [term.gyro, term.accelerometer][triad] else { continue };
+        if let Some(values) = (term.values)(errors) {
+            let [x, y, z] = values.map(|x| parameter(x / key.unit));
+            let values = if x == y && y == z { x } else { format!("[{x}, {y}, {z}]") };
+            let _ = writeln!(text, "{} = {values}", key.key);
+        }
+    }
+    text
+}
+
+/// Every key of a data sheet, for people.
+pub fn keys() -> String {
+    let mut text = format!(
+        "{RATE}: samples per second, for resolutions\n{MODEL}: \"flicker\" (if absent) or \"random-walk\": what makes \
+         the lowest point of the Allan curve\nEach key takes one number, or [x, y, z]; a scene's own keys are \
+         taken, too.\n"
+    );
+    for (triad, table) in TRIADS.iter().enumerate() {
+        let _ = writeln!(text, "\n[{table}]");
+        for entry in entries::of(triad) {
+            let also = if entry.is_unit() { ", in a scene, too" } else { "" };
+            let _ = writeln!(text, "{:32} gives {}{also}", entry.key, entry.gives);
+        }
+        for (key, why) in LEFT_OUT {
+            let _ = writeln!(text, "{key:32} is left out: {why}");
+        }
+    }
+    text
+}

@@ -12,6 +12,7 @@ in its name. A sample's time is the end of its interval.
 
 from schuler._schuler import (
     Aligned,
+    Allan,
     Emulation,
     Ensemble,
     Flight,
@@ -23,6 +24,8 @@ from schuler._schuler import (
     Trajectory,
     __version__,
     align,
+    allan,
+    datasheet,
     emulate,
     ensemble,
     navigators,
@@ -35,6 +38,7 @@ from schuler.errors import Error, FlightError, InputError
 
 __all__ = [
     "Aligned",
+    "Allan",
     "Emulation",
     "Ensemble",
     "Error",
@@ -49,6 +53,8 @@ __all__ = [
     "Trajectory",
     "__version__",
     "align",
+    "allan",
+    "datasheet",
     "emulate",
     "ensemble",
     "navigators",

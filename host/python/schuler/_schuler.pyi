@@ -81,6 +81,20 @@ def align(
 ) -> Aligned:
     """Finds level and north from samples at rest, at the position of a state; `heading` is one that is known, degrees."""
 
+def allan(
+    scene: SceneLike | None = None,
+    *,
+    imu: str | PathLike[str] | Table | npt.ArrayLike | None = None,
+    span: tuple[float, float] | Sequence[float] | None = None,
+    units: str | None = None,
+    **options: Unpack[Options],
+) -> Allan:
+    """Measures the Allan deviation of a scene's sensor errors, or of a recording at rest (`imu`, or its `span` in s), and
+    finds the error terms. A scene beside a recording is what that is compared with."""
+
+def datasheet(sheet: str | PathLike[str] | Mapping[str, Any]) -> dict[str, Any]:
+    """The sections `gyro` and `accelerometer` of a scene for a data sheet: a TOML file, its text, or a dict with its keys."""
+
 @final
 class Scene:
     """A scene that has been read and checked."""
@@ -298,6 +312,24 @@ class Ensemble:
     @property
     def text(self) -> str:
         """What the program prints."""
+    def _repr_html_(self) -> str: ...
+
+@final
+class Allan:
+    """What a sensor is made of. In a notebook it shows its page."""
+
+    @property
+    def axes(self) -> dict[str, Table]:
+        """Of each axis that shows something ("gyro x"): averaging time, deviation with its 95 % interval, what is fitted
+        and what is configured, in rad/s and m/s²."""
+    @property
+    def sections(self) -> dict[str, Any]:
+        """The sections of a scene that stand for the sensor."""
+    @property
+    def text(self) -> str:
+        """What the program prints."""
+    def report(self) -> str:
+        """`allan.html`."""
     def _repr_html_(self) -> str: ...
 
 @final

@@ -2,16 +2,17 @@
 //!
 //! | file | what it has |
 //! |---|---|
-//! | `run`, `emulate`, `replay`, `ensemble`, `align` | the commands, each a function |
+//! | `run`, `emulate`, `replay`, `ensemble`, `allan`, `align` | the commands, each a function |
 //! | `scene`, `options`, `toml`, `log` | scenes: names, files, texts, dicts; what replaces their values |
 //! | `trajectory`, `navigator`, `state` | a motion, a navigator step by step, where it starts and is |
-//! | `table`, `arrays` | numbers by rows and columns, and samples in arrays |
+//! | `table`, `arrays`, `recorded` | numbers by rows and columns, samples in arrays, a recorded stream |
 //! | `error`, `interrupt`, `notebook` | exceptions, Ctrl-C, pages in a notebook |
 //!
 //! The interpreter is released while anything is flown, and no state is shared between calls.
 #![cfg(feature = "module")]
 
 mod align;
+mod allan;
 mod arrays;
 mod emulate;
 mod ensemble;
@@ -21,6 +22,7 @@ mod log;
 mod navigator;
 mod notebook;
 mod options;
+mod recorded;
 mod replay;
 mod run;
 mod scene;
@@ -38,6 +40,8 @@ mod _schuler {
 
     #[pymodule_export]
     use super::align::{Aligned, align};
+    #[pymodule_export]
+    use super::allan::{Allan, allan, datasheet};
     #[pymodule_export]
     use super::emulate::{Emulation, emulate};
     #[pymodule_export]

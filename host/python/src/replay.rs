@@ -4,21 +4,18 @@ use crate::align::warned;
 use crate::error::{Answer, Fault};
 use crate::notebook;
 use crate::options::{self, OF_HANDLING, Options};
+use crate::recorded::{Source, kept};
 use crate::state::State;
 use crate::table::{Rows, Table};
-use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use schuler_host::cli::{Height, Lag, ReplayArgs};
 use schuler_host::replay::{Replayed, fly};
-use schuler_simulator::input::{Complaint, InputError, Range};
-use schuler_simulator::output::NumberTable;
+use schuler_simulator::input::Range;
 use schuler_simulator::output::heard::overheard;
-use schuler_simulator::recording::csv::{INCREMENTS, RATES};
 use schuler_simulator::recording::foreign::Columns;
 use schuler_simulator::recording::mounting::Mounting;
 use schuler_simulator::recording::navigation::COLUMNS;
-use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::rest::units::Units;
 use schuler_simulator::simulate::FlightError;
 use std::path::{Path, PathBuf};
@@ -137,72 +134,7 @@ pub fn replay(
 
 fn flown(args: &ReplayArgs, source: &Source) -> Result<Replayed, FlightError> {
     args.check()?;
-    let given = args.given();
-    let recording = match source {
-        Source::File(path) => Recording::open_as(&path.display().to_string(), &given)?,
-        Source::Array(path) => {
-            let mut recording = Recording::open_as(&path.display().to_string(), &given)?;
-            recording.name = "imu".to_owned();
-            recording
-        }
-    };
-    fly(args, &recording, true)
-}
-
-/// Where samples come from.
-enum Source {
-    /// The user's file or folder.
-    File(PathBuf),
-    /// An array, in a file of ours.
-    Array(PathBuf),
-}
-
-impl Source {
-    fn path(&self) -> &Path {
-        match self {
-            Self::File(path) | Self::Array(path) => path,
-        }
-    }
-
-    fn new(imu: &Bound<'_, PyAny>, folder: &TempDir) -> Answer<Self> {
-        let table = imu.cast::<Table>();
-        if table.is_err()
-            && let Ok(path) = imu.extract::<PathBuf>()
-        {
-            return Ok(Self::File(path));
-        }
-        let accepted =
-            "a path, the imu of an Emulation, or an array of seven columns: time_s and increments";
-        let refuse = |what: String| Fault::argument("imu", what, accepted);
-        let mut names = &INCREMENTS;
-        let array: PyArrayLike2<'_, f64, AllowTypeChange> = match table {
-            Ok(table) => {
-                let table = table.get();
-                let known = [&INCREMENTS, &RATES]
-                    .into_iter()
-                    .find_map(|names| table.with_columns(names).map(|array| (names, array)));
-                let (found, array) =
-                    known.ok_or_else(|| refuse("is a table of something else".to_owned()))?;
-                names = found;
-                array.bind(imu.py()).extract()?
-            }
-            Err(_) => imu.extract().map_err(|_| refuse("is neither".to_owned()))?,
-        };
-        let array = array.as_array();
-        if array.ncols() != names.len() {
-            return Err(refuse(format!("has {} columns", array.ncols())));
-        }
-        let path = folder.path().join("imu.csv");
-        let mut file = NumberTable::create(&path, names)?;
-        let mut numbers = Vec::with_capacity(names.len());
-        for row in array.rows() {
-            numbers.clear();
-            numbers.extend(row.iter());
-            file.row(&numbers)?;
-        }
-        file.finish()?;
-        Ok(Self::Array(path))
-    }
+    fly(args, &source.open(&args.given())?, true)
 }
 
 /// The file of the state to start from.
@@ -215,10 +147,6 @@ fn start(given: &Bound<'_, PyAny>, folder: &TempDir) -> Answer<PathBuf> {
     let path = folder.path().join("initial.toml");
     std::fs::write(&path, State::of(given)?.toml()).map_err(|error| kept(&error))?;
     Ok(path)
-}
-
-fn kept(error: &std::io::Error) -> InputError {
-    InputError::option("imu", Complaint::new(format!("cannot be kept: {error}"), ""))
 }
 
 /// The options of the command line.

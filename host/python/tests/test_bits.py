@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -107,6 +108,32 @@ class Bits(unittest.TestCase):
         np.testing.assert_allclose(runs.sigma_theory[-1], last[19:28], rtol=1e-9)
         single = schuler.ensemble("paper", runs=8, duration=120, threads=1, instants=4)
         np.testing.assert_array_equal(single.drift, runs.drift)
+
+    def test_allan_deviation_and_data_sheets(self) -> None:
+        printed = done("allan", "paper", "--duration", 3600, "--out", self.folder)
+        found = schuler.allan("paper", duration=3600)
+        self.assertEqual(printed, f"{found}\nwritten to {self.folder}\n")
+        self.assertEqual(found.report(), (self.folder / "allan.html").read_text())
+        self.assertEqual(found.sections, tomllib.loads((self.folder / "sensors.toml").read_text()))
+        lines = [line.split(",") for line in (self.folder / "allan.csv").read_text().splitlines()[1:]]
+        for name, table in found.axes.items():
+            told = np.array([line[1:] for line in lines if line[0] == name], dtype=float)
+            np.testing.assert_array_equal(table.array, told)
+        imu = self.folder / "imu.csv"
+        still = {"gyro": {"angle_random_walk_deg_sqrt_h": 0.1}, "rate_hz": 10, "duration_s": 1000}
+        data = schuler.emulate(still)
+        lines = [",".join(data.imu.columns), *(",".join(map(repr, row)) for row in data.imu.array.tolist())]
+        imu.write_text("\n".join(lines) + "\n")
+        by_program = done("allan", "--imu", imu)
+        self.assertEqual(str(schuler.allan(imu=imu)), by_program)
+        self.assertEqual(str(schuler.allan(imu=data.imu)), by_program.replace(str(imu), "imu"))
+        sheet = {"gyro": {"noise_density_deg_h_sqrt_hz": 6}, "accelerometer": {"bias_repeatability_mg": [1, 2, 3]}}
+        sections = schuler.datasheet(sheet)
+        self.assertAlmostEqual(sections["gyro"]["angle_random_walk_deg_sqrt_h"], 0.1, 12)
+        schuler.Scene({**still, **sections})
+        with self.assertRaises(schuler.InputError) as raised:
+            schuler.datasheet({"gyro": {"noise": 3}})
+        self.assertEqual(raised.exception.key, "gyro.noise")
 
     def test_alignment(self) -> None:
         data = schuler.emulate("stationary", duration=120)

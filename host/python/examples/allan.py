@@ -24,7 +24,7 @@ figure, axis = plt.subplots(figsize=(8, 5))
 for letter, colour in zip("xyz", ("tab:blue", "tab:orange", "tab:green"), strict=True):
     table = found.axes[f"gyro {letter}"]
     tau_s, deviation = table["tau_s"], table["deviation"] / degree_per_hour
-    bounds = np.abs([table["lower_95"], table["upper_95"]] / np.float64(degree_per_hour) - deviation)
+    bounds = np.abs(np.array([table["lower_95"], table["upper_95"]]) / degree_per_hour - deviation)
     axis.errorbar(tau_s, deviation, bounds, fmt=".", color=colour, label=f"gyro {letter}")
     axis.loglog(tau_s, table["fitted"] / degree_per_hour, color=colour)
 axis.set(xlabel="averaging time, s", ylabel="Allan deviation, °/h", title="Four hours at rest, and what fits them")

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
-from typing import Any, Final, Unpack, final
+from typing import Any, ClassVar, Final, Unpack, final
 
 import numpy as np
 import numpy.typing as npt
@@ -191,6 +191,7 @@ class State:
     def yaw_deg(self) -> float: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __ne__(self, other: object, /) -> bool: ...
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 @final
 class Flight:

@@ -3,7 +3,7 @@
 use crate::error::{Answer, Fault};
 use crate::log::Logs;
 use crate::notebook;
-use crate::options::{self, Options};
+use crate::options::Options;
 use crate::recorded::{Source, kept};
 use crate::scene;
 use crate::table::{Rows, Table};

@@ -7,7 +7,7 @@ use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::NumberTable;
 use schuler_simulator::scene::Scene;
 use schuler_simulator::scene::route::Origin;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tempfile::TempDir;
 
@@ -72,7 +72,7 @@ impl Logs {
 
     /// An error about the file, as one about the arrays.
     pub fn told(&self, mut error: InputError) -> InputError {
-        let is_own = |file: &String| self.folder.is_some() && self.file == PathBuf::from(file);
+        let is_own = |file: &String| self.folder.is_some() && self.file == *Path::new(file);
         if error.file.take_if(|file| is_own(file)).is_some() {
             let row = error.line.take().filter(|line| *line > 1);
             let row = row.map_or(String::new(), |line| format!("[{}]", line - 2));

@@ -122,8 +122,8 @@ class Bits(unittest.TestCase):
         imu = self.folder / "imu.csv"
         still = {"gyro": {"angle_random_walk_deg_sqrt_h": 0.1}, "rate_hz": 10, "duration_s": 1000}
         data = schuler.emulate(still)
-        lines = [",".join(data.imu.columns), *(",".join(map(repr, row)) for row in data.imu.array.tolist())]
-        imu.write_text("\n".join(lines) + "\n")
+        rows = [data.imu.columns, *data.imu.array.tolist()]
+        imu.write_text("".join(",".join(map(str, row)) + "\n" for row in rows))
         by_program = done("allan", "--imu", imu)
         self.assertEqual(str(schuler.allan(imu=imu)), by_program)
         self.assertEqual(str(schuler.allan(imu=data.imu)), by_program.replace(str(imu), "imu"))

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `run`, `emulate`, `replay`, `ensemble`, `allan`, `align` | the commands, each a function |
 //! | `scene`, `options`, `toml`, `log` | scenes: names, files, texts, dicts; what replaces their values |
-//! | `trajectory`, `navigator`, `state` | a motion, a navigator step by step, where it starts and is |
+//! | `trajectory`, `navigator`, `flying`, `state` | a motion, a navigator step by step, where it starts and is |
 //! | `table`, `arrays`, `recorded` | numbers by rows and columns, samples in arrays, a recorded stream |
 //! | `error`, `interrupt`, `notebook` | exceptions, Ctrl-C, pages in a notebook |
 //!
@@ -17,6 +17,7 @@ mod arrays;
 mod emulate;
 mod ensemble;
 mod error;
+mod flying;
 mod interrupt;
 mod log;
 mod navigator;

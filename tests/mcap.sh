@@ -4,30 +4,13 @@
 # nothing may be missing. SCHULER may name the program, built already.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-. tests/target.sh
+. tests/venv.sh
 
-packages=(mcap==1.6.0 mcap-ros2-support==0.6.0)
-tools=$(realpath -m "${CARGO_TARGET_DIR:-target}/tools/python")
-has_packages() { "$tools/bin/python" -c 'import mcap, mcap_ros2' 2>/dev/null; }
-
-if ! has_packages; then
-    if [ -n "${CI:-}" ] && ! python3 -c 'import ensurepip, venv' 2>/dev/null; then
-        install python3 python3-venv
-    fi
-    if ! { python3 -m venv "$tools" && "$tools/bin/pip" install --quiet "${packages[@]}"; }; then
-        if [ -n "${CI:-}" ]; then
-            echo "mcap: ${packages[*]} cannot be installed" >&2
-            exit 1
-        fi
-        echo "skipped: no Python with ${packages[*]}"
-        exit 0
-    fi
-fi
-
+python_with mcap mcap==1.6.0 mcap-ros2-support==0.6.0
 schuler=${SCHULER:-cargo run --quiet --release --locked --}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
-check() { "$tools/bin/python" tests/messages.py "$@"; }
+check() { "$python" tests/messages.py "$@"; }
 
 # One that turns in every direction, one with sensor errors, and one across the antimeridian.
 for flight in manoeuvre:100 paper:20 drive:100; do

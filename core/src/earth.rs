@@ -84,7 +84,7 @@ pub struct Radii<R> {
 
 impl<R: Real> Radii<R> {
     /// At the latitude of the given sine and cosine.
-    #[inline]
+    #[inline(always)]
     pub fn at(sine: R, cosine: R) -> Self {
         // W² = 1 − e² sin²φ;  R_N = a/W;  R_M = a(1 − e²)/W³
         let e2 = R::of(ECCENTRICITY_SQUARED);
@@ -119,7 +119,7 @@ impl<R: Real> Radii<R> {
 ///
 /// The Earth's real field differs from normal gravity by tens of µg at the ground. Truth and navigation
 /// use the same series, so a simulation does not show this error of a real flight.
-#[inline]
+#[inline(always)]
 pub fn gravity<R: Real>(sine: R, altitude: R) -> R {
     // γ = γ_e(1 + k sin²φ)/√(1 − e² sin²φ) · [1 − (2/a)(1 + f + m − 2f sin²φ)h + 3h²/a²]
     let s2 = sine * sine;
@@ -140,7 +140,7 @@ pub(crate) fn height_factor<R: Real>(sine_squared: R, altitude: R) -> R {
 }
 
 /// Earth's rate in north, east, down at a latitude, rad/s.
-#[inline]
+#[inline(always)]
 pub fn rotation_ned<R: Real>(sine: R, cosine: R) -> Vector<R> {
     // ω_ieⁿ = ω_ie(cosφ, 0, −sinφ)
     let rate = R::of(ROTATION_RATE);

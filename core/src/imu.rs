@@ -30,7 +30,7 @@ use crate::sample::{Increment, Rates};
 use crate::trajectory::{Motion, Trajectory};
 
 /// Angular rate and specific force of a motion.
-#[inline]
+#[inline(always)]
 pub fn rates<R: Real>(motion: &Motion<R>) -> Rates<R> {
     motion.rates()
 }
@@ -103,13 +103,24 @@ impl Quadrature {
         number: u64,
         rate_hz: f64,
     ) -> Increment<f64> {
-        let centre = instant(number as f64 - 0.5, rate_hz);
+        self.samples(trajectory, number as f64, rate_hz)
+    }
+
+    /// The same of several samples, one in each lane of a pack.
+    #[inline(always)]
+    pub fn samples<R: Real, T: Trajectory<R> + ?Sized>(
+        self,
+        trajectory: &T,
+        numbers: R,
+        rate_hz: R,
+    ) -> Increment<R> {
+        let centre = instant(numbers - R::HALF, rate_hz);
         self.increment_about(trajectory, centre, Pair::new(rate_hz).reciprocal())
     }
 
     /// The increment over an interval about its centre, s: both are more precise than a single `f64` time.
     /// It is summed over the parts between the joints of the motion.
-    #[inline]
+    #[inline(always)]
     pub fn increment_about<R: Real, T: Trajectory<R> + ?Sized>(
         self,
         trajectory: &T,
@@ -151,7 +162,7 @@ impl Quadrature {
     }
 
     /// The increment of a motion without joints in between.
-    #[inline]
+    #[inline(always)]
     fn unbroken<R: Real, T: Trajectory<R> + ?Sized>(
         self,
         trajectory: &T,
@@ -175,7 +186,7 @@ impl Quadrature {
     }
 
     /// The mean of the rates over ± half about a time from the centre.
-    #[inline]
+    #[inline(always)]
     fn mean<R: Real, T: Trajectory<R> + ?Sized>(
         self,
         trajectory: &T,
@@ -206,8 +217,8 @@ impl Quadrature {
 
 /// The time after a number of samples, s, with the part that rounding drops: a time of day in one double has
 /// an error of 10⁻¹¹ s, which is a nanometre in fast motion.
-#[inline]
-pub fn instant(samples: f64, rate_hz: f64) -> Pair<f64> {
+#[inline(always)]
+pub fn instant<R: Real>(samples: R, rate_hz: R) -> Pair<R> {
     // n/f = t + (n − t·f)/f
     let hi = samples / rate_hz;
     let (product, rest) = two_product(hi, rate_hz);

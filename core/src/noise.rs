@@ -13,13 +13,14 @@
 //! assert_ne!(deviate, y.normal());
 //! ```
 
-mod quantile;
+pub mod quantile;
+pub mod random;
 
 use crate::math::real::Scalar;
-use crate::record::Record;
 use quantile::{double, single};
 use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::{SplitMix64, Xoshiro256PlusPlus};
+use random::Random;
 
 /// SplitMix64's mixing of one word: a bijection in which every bit changes half of the others.
 fn mix(word: u64) -> u64 {
@@ -45,6 +46,8 @@ impl Streams {
     pub const ACCELEROMETER: u64 = 1;
     /// Branch of the root that belongs to the link: loss, jitter.
     pub const LINK: u64 = 2;
+    /// Branch of the root that belongs to the start of navigation: its random errors.
+    pub const START: u64 = 3;
 
     /// The root.
     pub fn new(seed: u64, run: u64) -> Self {
@@ -54,6 +57,11 @@ impl Streams {
     /// A branch, whose streams differ from those of every other branch.
     pub fn branch(self, number: u64) -> Self {
         Self { identity: mix(self.identity ^ mix(number)), ..self }
+    }
+
+    /// The same place for the run that comes so many runs later.
+    pub fn later(self, runs: u64) -> Self {
+        Self { run: self.run.wrapping_add(runs), ..self }
     }
 
     /// The stream at this place.
@@ -131,7 +139,7 @@ impl Stream {
 }
 
 /// A scalar with random deviates.
-pub trait Deviate: Scalar + Record {
+pub trait Deviate: Scalar + Random<Stream = Stream> {
     /// The random bits that make one deviate.
     type Word: Copy;
 
@@ -147,6 +155,12 @@ pub trait Deviate: Scalar + Record {
     fn uniform(word: Self::Word) -> Self;
 }
 
+/// Out of line, since it is rare.
+#[inline(never)]
+fn tail(p: f64) -> f64 {
+    double::tail(p)
+}
+
 impl Deviate for f64 {
     type Word = u64;
 
@@ -157,14 +171,13 @@ impl Deviate for f64 {
 
     #[inline]
     fn normal(word: u64) -> f64 {
-        const UNIT: f64 = 1.0 / (1u128 << 64) as f64;
-        const CENTRE: i64 = (double::CENTRE / UNIT) as i64;
+        use double::{CENTRE, UNIT, centre};
         let k = (word & (u64::MAX >> 1)) as i64;
         // Branching on the integer lets the processor detect a misprediction early.
         let z = if k < CENTRE {
-            double::centre((k as f64 + 0.5) * UNIT)
+            centre((k as f64 + 0.5) * UNIT)
         } else {
-            double::tail(((i64::MAX - k) as f64 + 0.5) * UNIT)
+            tail(((i64::MAX - k) as f64 + 0.5) * UNIT)
         };
         f64::from_bits(z.to_bits() | (word & (1 << 63)))
     }
@@ -185,16 +198,7 @@ impl Deviate for f32 {
 
     #[inline]
     fn normal(word: u32) -> f32 {
-        const UNIT: f32 = 1.0 / (1u64 << 32) as f32;
-        const CENTRE: i32 = (single::CENTRE / UNIT) as i32;
-        let k = (word & (u32::MAX >> 1)) as i32;
-        // Branching on the integer lets the processor detect a misprediction early.
-        let z = if k < CENTRE {
-            single::centre((k as f32 + 0.5) * UNIT)
-        } else {
-            single::tail(((i32::MAX - k) as f32 + 0.5) * UNIT)
-        };
-        f32::from_bits(z.to_bits() | (word & (1 << 31)))
+        single::normal(word)
     }
 
     #[inline]

@@ -11,7 +11,7 @@
 //! | `steps`, `plan`, `runge_kutta` | what steps leave out, what the plan chooses, the yardstick |
 //! | `drift`, `error_dynamics` | solution less truth, and its linear model |
 //! | `theory`, `theory_…`, `ensemble` | what theory expects, and how runs scatter |
-//! | `lanes` | runs abreast |
+//! | `lanes`, `lanes_sensors`, `lanes_truth` | runs abreast, their sensors, samples of a flight side by side |
 //! | `paths` | splines, way-points, logs |
 //! | `link` | frames, and the application at their end |
 //! | `allan` | the Allan variance, and its degrees of freedom |
@@ -29,6 +29,8 @@ mod figures;
 mod foundation;
 mod functions;
 mod lanes;
+mod lanes_sensors;
+mod lanes_truth;
 mod link;
 mod matrix;
 mod paths;

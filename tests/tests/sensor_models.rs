@@ -136,7 +136,7 @@ fn at_the_limit<R: Deviate>(sign: R) {
     let near = |a: Vector<R>, b: Vector<R>| (a - b).norm() <= R::entry(1e-7, 1e-15);
     for _ in 0..200 {
         let reading = read(same(sign * of(0.5)));
-        assert!(near(reading.increment, most * sign) && reading.saturated);
+        assert!(near(reading.increment, most * sign) && R::any(reading.saturated));
         let limit = limit * of(0.01);
         assert!(
             reading.increment.zip(limit, |x, limit| x.abs() <= limit)

@@ -73,6 +73,32 @@ fn deviates_match_the_quantiles_of_the_normal_distribution() {
     }
 }
 
+/// Φ⁻¹ at ½ + (k + ½)/2³², of k of 31 bits, in double precision.
+fn precise(k: u32) -> f64 {
+    f64::normal(u64::from(k) << 32 | 0x7fff_ffff)
+}
+
+#[test]
+fn single_precision_follows_double_in_every_piece() {
+    const LAST: u32 = u32::MAX >> 1;
+    let of_distance = |k: u32| {
+        let error = f64::from(f32::normal(k)) / precise(k) - 1.0;
+        assert!(error.abs() < 2e-7, "{k:#x}: {error:e}");
+    };
+    // From ½ on, and across the border of its polynomial.
+    (0..5000).for_each(of_distance);
+    (0..31).for_each(|bit| of_distance(1 << bit));
+    (0..1 << 18).for_each(|n| of_distance(n << 12 | n & 0xfff));
+    ((1 << 30) - 1000..(1 << 30) + 1000).for_each(of_distance);
+    // Pieces of every octave of the distance from the end, their borders and what lies between.
+    for octave in 0..30 {
+        for place in 0..8 * 32 {
+            let from_end = (u64::from(256u32 + place) << octave >> 8) as u32;
+            (from_end.saturating_sub(2)..from_end + 3).for_each(|n| of_distance(LAST - n));
+        }
+    }
+}
+
 /// Mean, variance, kurtosis and tails of n deviates, each within five of its standard errors.
 fn check_distribution<R: Deviate>(n: usize) {
     let mut stream = Streams::new(2024, 7).open();

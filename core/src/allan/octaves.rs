@@ -118,6 +118,18 @@ pub struct Octaves<R: Sums, const OCTAVES: usize = RINGS> {
     rings: [Ring<R>; OCTAVES],
 }
 
+#[cfg(feature = "defmt")]
+impl<R: Sums + defmt::Format, const OCTAVES: usize> defmt::Format for Octaves<R, OCTAVES> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(
+            f,
+            "Octaves {{ interval_s: {}, samples: {} }}",
+            self.interval_s,
+            self.samples
+        );
+    }
+}
+
 /// The Allan variance at one averaging time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -72,6 +72,7 @@ impl<R: Real> Pair<R> {
     }
 
     /// 1/x, to about twice the digits.
+    #[inline(always)]
     pub fn reciprocal(self) -> Self {
         let hi = R::ONE / self.hi;
         let (p, e) = two_product(hi, self.hi);

@@ -14,7 +14,7 @@
 //! assert_eq!(hypotenuse(3.0_f64, 4.0), 5.0);
 //! ```
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, BitOr, Div, Mul, Neg, Sub};
 
 /// Types with + − ×: enough for vectors and quaternions.
 pub trait Number:
@@ -30,7 +30,7 @@ impl<T> Number for T where
 /// A real scalar: one number, or a pack of numbers of independent runs that share instructions.
 pub trait Real: Number + Div<Output = Self> + Send + 'static {
     /// The result of a comparison: `bool`, or one per lane.
-    type Mask: Copy;
+    type Mask: Copy + BitOr<Output = Self::Mask>;
     /// Two numbers that go through the same operations side by side.
     type Twin: Twin<Self>;
 

@@ -35,6 +35,12 @@ impl<T: Number> Vector<T> {
         }
     }
 
+    /// The products of each pair of components.
+    #[inline(always)]
+    pub fn times(self, b: Self) -> Self {
+        Self { x: self.x * b.x, y: self.y * b.y, z: self.z * b.z }
+    }
+
     /// a · b.
     #[inline(always)]
     pub fn dot(self, b: Self) -> T {

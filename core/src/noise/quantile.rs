@@ -1,41 +1,59 @@
 //! The inverse of the normal distribution: Wichura's algorithm AS 241 (Applied Statistics 37, 1988,
-//! 477), PPND16 in double and PPND7 in single precision.
+//! 477), PPND16, in double precision, and polynomials that follow it in single precision.
 //!
-//! Rational functions of the probability's distance from ½ in the centre, and of √(−ln p) in the
-//! tails.
+//! PPND16 has rational functions of the probability's distance from ½ in the centre, and of √(−ln p) in the
+//! tails. What a deviate's word means is told at [`Deviate::normal`](super::Deviate::normal).
+//!
+//! ```
+//! use schuler::noise::quantile::double::{centre, tail};
+//!
+//! // At the border of centre and tail both are good.
+//! assert!((centre(0.425_f64) - tail(0.075_f64)).abs() < 1e-15);
+//! ```
+
+pub(super) mod single;
 
 use crate::math::real::Real;
 
 /// Numerator and denominator, by falling powers.
-type Rational<R, const N: usize, const D: usize> = ([R; N], [R; D]);
+type Rational = ([f64; 8], [f64; 8]);
 
-/// P(r)/Q(r), by Horner's rule.
+/// P(r)/Q(r).
 #[inline(always)]
-pub(super) fn ratio<R: Real, const N: usize, const D: usize>(table: &Rational<R, N, D>, r: R) -> R {
-    let horner = |coefficients: &[R]| {
-        let mut powers = coefficients.iter();
-        let first = powers.next().copied().unwrap_or(R::ZERO);
-        powers.fold(first, |sum, &c| sum * r + c)
-    };
-    horner(&table.0) / horner(&table.1)
+fn ratio<R: Real>(table: &Rational, r: R) -> R {
+    horner(&table.0, r) / horner(&table.1, r)
 }
 
-/// PPND16: relative error about 1e-16.
+/// A polynomial in r, by Horner's rule. No closures here: packs are slow where one is not inlined.
+#[inline(always)]
+fn horner<R: Real>([first, rest @ ..]: &[f64; 8], r: R) -> R {
+    let mut sum = R::of(*first);
+    for &c in rest {
+        sum = sum * r + R::of(c);
+    }
+    sum
+}
+
+/// PPND16: relative error about 1e-16. Packs of runs have the bits of a single `f64`.
 #[allow(clippy::excessive_precision, reason = "the coefficients as published")]
-pub(super) mod double {
+pub mod double {
     use super::{Rational, Real, ratio};
 
-    /// Up to this distance of the probability from ½ the central approximation holds.
-    pub const CENTRE: f64 = 0.425;
+    /// Up to this distance of the probability from ½ the central approximation holds,
+    /// in units of a word, 0.425·2⁶⁴.
+    pub const CENTRE: i64 = (0.425 / UNIT) as i64;
 
-    /// The deviate at the distance q ≤ CENTRE of the probability from ½.
+    /// The unit of a word, 2⁻⁶⁴.
+    pub const UNIT: f64 = 1.0 / (1u128 << 64) as f64;
+
+    /// The deviate at the distance q ≤ 0.425 of the probability from ½.
     #[inline(always)]
-    pub fn centre(q: f64) -> f64 {
+    pub fn centre<R: Real>(q: R) -> R {
         // z = q P(r)/Q(r),  r = 0.425² − q²
-        q * ratio(&CENTRAL, 0.180625 - q * q)
+        q * ratio(&CENTRAL, R::of(0.180625) - q * q)
     }
 
-    const CENTRAL: Rational<f64, 8, 8> = (
+    pub(super) const CENTRAL: Rational = (
         [
             2.5090809287301226727e3,
             3.3430575583588128105e4,
@@ -58,7 +76,7 @@ pub(super) mod double {
         ],
     );
 
-    const TAIL: Rational<f64, 8, 8> = (
+    pub(super) const TAIL: Rational = (
         [
             7.74545014278341407640e-4,
             2.27238449892691845833e-2,
@@ -81,7 +99,7 @@ pub(super) mod double {
         ],
     );
 
-    const FAR_TAIL: Rational<f64, 8, 8> = (
+    pub(super) const FAR_TAIL: Rational = (
         [
             2.01033439929228813265e-7,
             2.71155556874348757815e-5,
@@ -105,44 +123,12 @@ pub(super) mod double {
     );
 
     /// The deviate that is exceeded with probability p.
-    #[inline(never)]
-    pub fn tail(p: f64) -> f64 {
-        // r = √(−ln p)
-        let r = Real::sqrt(-Real::ln(p));
-        if r <= 5.0 { ratio(&TAIL, r - 1.6) } else { ratio(&FAR_TAIL, r - 5.0) }
-    }
-}
-
-/// PPND7: relative error about 1e-7.
-#[allow(clippy::excessive_precision, reason = "the coefficients as published")]
-pub(super) mod single {
-    use super::{Rational, Real, ratio};
-
-    /// Up to this distance of the probability from ½ the central approximation holds.
-    pub const CENTRE: f32 = 0.425;
-
-    /// The deviate at the distance q ≤ CENTRE of the probability from ½.
     #[inline(always)]
-    pub fn centre(q: f32) -> f32 {
-        // z = q P(r)/Q(r),  r = 0.425² − q²
-        q * ratio(&CENTRAL, 0.180625 - q * q)
-    }
-
-    const CENTRAL: Rational<f32, 4, 4> = (
-        [5.9109374720e1, 1.5929113202e2, 5.0434271938e1, 3.3871327179],
-        [6.7187563600e1, 7.8757757664e1, 1.7895169469e1, 1.0],
-    );
-
-    const TAIL: Rational<f32, 4, 3> = (
-        [1.7023821103e-1, 1.3067284816, 2.7568153900, 1.4234372777],
-        [1.2021132975e-1, 7.3700164250e-1, 1.0],
-    );
-
-    /// The deviate that is exceeded with probability p ≥ 2⁻³³, where r stays below 5.
-    #[inline(never)]
-    pub fn tail(p: f32) -> f32 {
+    pub fn tail<R: Real>(p: R) -> R {
         // r = √(−ln p)
-        let r = Real::sqrt(-Real::ln(p));
-        ratio(&TAIL, r - 1.6)
+        let r = (-p.ln()).sqrt();
+        let near = ratio(&TAIL, r - R::of(1.6));
+        let far = R::of(5.0).less(r);
+        if R::any(far) { R::select(far, ratio(&FAR_TAIL, r - R::of(5.0)), near) } else { near }
     }
 }

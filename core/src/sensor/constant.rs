@@ -20,6 +20,7 @@
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
+use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
 
 /// A bias that never changes.
@@ -43,13 +44,20 @@ impl<R: Deviate> Constant<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for Constant<R> {
+impl<R: Copy> Constant<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> Constant<T> {
+        Constant { increment: self.increment.map(number) }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for Constant<R> {
     type State = ();
 
     #[inline]
     fn start(&self, _: Streams) {}
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, _: &mut (), _: &Stimulus<R>, reading: &mut Reading<R>) {
         reading.increment = reading.increment + self.increment;
     }

@@ -17,9 +17,11 @@
 //! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
 //! ```
 
+use super::triad::Triad;
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
-use crate::noise::{Deviate, Streams};
+use crate::noise::Streams;
+use crate::noise::random::Random;
 use crate::record::{Record, record};
 use crate::sample::{Increment, Rates};
 
@@ -40,14 +42,14 @@ pub struct EmulatorState<G, A> {
     pub gyro: G,
     /// Of the accelerometers' terms.
     pub accelerometer: A,
-    /// Samples in which some axis exceeded its limit.
+    /// Samples in which some axis exceeded its limit, in any run.
     pub saturated: u64,
 }
 
 /// The state of an emulator made of these terms.
 pub type State<R, G, A> = EmulatorState<<G as ErrorTerm<R>>::State, <A as ErrorTerm<R>>::State>;
 
-impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
+impl<R: Random, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
     /// From the error terms of the gyros and of the accelerometers, made for the same timing.
     pub fn new(gyro: G, accelerometer: A, timing: Timing<R>) -> Self {
         Self { gyro, accelerometer, timing }
@@ -66,12 +68,25 @@ impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
     /// What the sensors read in the next sample, given the truth.
     #[inline]
     pub fn emulate(&self, state: &mut State<R, G, A>, perfect: &Increment<R>) -> Increment<R> {
+        let (increment, saturated) = self.emulate_marked(state, perfect);
+        state.saturated += u64::from(R::any(saturated));
+        increment
+    }
+
+    /// The same, with a mark in each run of a pack whose sensors were at a limit; the state does not count
+    /// them.
+    #[inline(always)]
+    pub fn emulate_marked(
+        &self,
+        state: &mut State<R, G, A>,
+        perfect: &Increment<R>,
+    ) -> (Increment<R>, R::Mask) {
         let velocity_b = perfect.velocity_b;
         let gyro = read(&self.gyro, &mut state.gyro, perfect.angle_b, velocity_b);
         let accelerometer =
             read(&self.accelerometer, &mut state.accelerometer, velocity_b, velocity_b);
-        state.saturated += u64::from(gyro.saturated | accelerometer.saturated);
-        Increment { angle_b: gyro.increment, velocity_b: accelerometer.increment }
+        let increment = Increment { angle_b: gyro.increment, velocity_b: accelerometer.increment };
+        (increment, gyro.saturated | accelerometer.saturated)
     }
 
     /// The same for sensors that deliver rates: the errors of a sample, averaged over it, are added to the
@@ -100,13 +115,24 @@ impl<R: Deviate, G: ErrorTerm<R>, A: ErrorTerm<R>> Emulator<R, G, A> {
     #[inline]
     fn rate(&self, perfect: Vector<R>, before: Vector<R>, after: Vector<R>) -> Vector<R> {
         // a·Δt/Δt may differ from a by a unit in the last place.
-        let read = before.zip(after, |b, a| (a != b).then(|| a / self.timing.interval_s()));
-        perfect.zip(read, |rate, read| read.unwrap_or(rate))
+        let read = before.zip(after, |b, a| (a.less(b) | b.less(a), a / self.timing.interval_s()));
+        perfect.zip(read, |rate, (differs, read)| R::select(differs, read, rate))
+    }
+}
+
+impl<R: Copy> Emulator<R, Triad<R>, Triad<R>> {
+    /// The same sensors in numbers of another type, as `number` makes them from these: in lanes.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> Emulator<T, Triad<T>, Triad<T>> {
+        Emulator {
+            gyro: self.gyro.map(&number),
+            accelerometer: self.accelerometer.map(&number),
+            timing: self.timing.map(number),
+        }
     }
 }
 
 #[inline(always)]
-fn read<R: Deviate, T: ErrorTerm<R>>(
+fn read<R: Random, T: ErrorTerm<R>>(
     term: &T,
     state: &mut T::State,
     sensed: Vector<R>,

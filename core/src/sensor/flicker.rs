@@ -24,7 +24,8 @@ use super::gauss_markov::Process;
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
-use crate::noise::{Deviate, Stream, Streams};
+use crate::noise::random::{Axes, Random};
+use crate::noise::{Deviate, Streams};
 use crate::record::{Record, record};
 
 /// The number of decades of a 64-bit count of samples.
@@ -45,10 +46,10 @@ pub struct Flicker<R> {
 /// The parts of the bias and their random numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FlickerState<R> {
+pub struct FlickerState<R: Random> {
     /// Each pole's share of the bias at the end of the last sample, in units of B.
     parts: [Vector<R>; DECADES],
-    streams: [Stream; 3],
+    streams: Axes<R>,
 }
 
 /// The poles of a run: their correlation times, s, in rising order, and the rms of each over B.
@@ -80,34 +81,47 @@ impl<R: Deviate> Flicker<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for Flicker<R> {
+impl<R: Copy> Flicker<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> Flicker<T> {
+        Flicker {
+            instability: self.instability.map(&number),
+            poles: self.poles.map(|process| process.map(|process| process.map(&number))),
+        }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for Flicker<R> {
     type State = FlickerState<R>;
 
     #[inline]
     fn start(&self, streams: Streams) -> FlickerState<R> {
-        let mut streams = streams.axes();
+        let mut streams = Axes::open(streams);
         let mut parts = [Vector::ZERO; DECADES];
         for (part, process) in parts.iter_mut().zip(self.poles.iter().flatten()) {
-            for (value, stream) in part.each_mut().into_iter().zip(&mut streams) {
+            for (value, stream) in part.each_mut().into_iter().zip(streams.each_mut()) {
                 *value = process.start(stream);
             }
         }
         FlickerState { parts, streams }
     }
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
         let mut sum = Vector::ZERO;
         for (part, process) in state.parts.iter_mut().zip(self.poles.iter().flatten()) {
-            let axes = sum.each_mut().into_iter().zip(part.each_mut());
-            for ((sum, value), stream) in axes.zip(&mut state.streams) {
-                *sum = *sum + process.advance(value, stream);
-            }
+            let [x, y, z] = state.streams.each_mut();
+            let integral = Vector {
+                x: process.advance(&mut part.x, x),
+                y: process.advance(&mut part.y, y),
+                z: process.advance(&mut part.z, z),
+            };
+            sum = sum + integral;
         }
-        reading.increment = reading.increment + self.instability.zip(sum, |b, s: R| b * s);
+        reading.increment = reading.increment + self.instability.times(sum);
     }
 }
 
-impl<R: Deviate> Record for FlickerState<R> {
+impl<R: Random> Record for FlickerState<R> {
     record!(parts, streams);
 }

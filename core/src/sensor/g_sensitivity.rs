@@ -19,6 +19,7 @@
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};
 use crate::math::vector::Vector;
+use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
 
 /// A rate error from specific force.
@@ -39,16 +40,23 @@ impl<R: Deviate> GSensitivity<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for GSensitivity<R> {
+impl<R: Copy> GSensitivity<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> GSensitivity<T> {
+        GSensitivity { coefficient: self.coefficient.map(number) }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for GSensitivity<R> {
     type State = ();
 
     #[inline]
     fn start(&self, _: Streams) {}
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, _: &mut (), stimulus: &Stimulus<R>, reading: &mut Reading<R>) {
         // G = diag(g):  ∫G·f dt = G·Δv
-        let error = self.coefficient.zip(stimulus.velocity_b, |g, f| g * f);
+        let error = self.coefficient.times(stimulus.velocity_b);
         reading.increment = reading.increment + error;
     }
 }

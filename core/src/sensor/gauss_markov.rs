@@ -23,7 +23,8 @@
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
-use crate::noise::{Deviate, Stream, Streams};
+use crate::noise::random::{Axes, Random};
+use crate::noise::{Deviate, Streams};
 use crate::record::{Record, record};
 
 /// One Gauss-Markov process of rms σ and correlation time T, advanced by an interval Δt.
@@ -59,26 +60,42 @@ impl<R: Deviate> Process<R> {
         }
     }
 
+    /// A number that is finite if and only if every coefficient is.
+    pub(super) fn extent(&self) -> R {
+        self.rms + self.drive + self.integral + self.coupled + self.independent
+    }
+}
+
+impl<R: Copy> Process<R> {
+    /// The same process in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> Process<T> {
+        Process {
+            rms: number(self.rms),
+            decay: number(self.decay),
+            drive: number(self.drive),
+            integral: number(self.integral),
+            coupled: number(self.coupled),
+            independent: number(self.independent),
+        }
+    }
+}
+
+impl<R: Random> Process<R> {
     /// A value from its stationary distribution, b₀ = σz.
     #[inline]
-    pub fn start(&self, stream: &mut Stream) -> R {
-        self.rms * stream.normal()
+    pub fn start(&self, stream: &mut R::Stream) -> R {
+        self.rms * R::deviate(stream)
     }
 
     /// Advances the value by the interval, and returns its integral over it.
     #[inline(always)]
-    pub fn advance(&self, value: &mut R, stream: &mut Stream) -> R {
-        let (first, second): (R, R) = (stream.normal(), stream.normal());
+    pub fn advance(&self, value: &mut R, stream: &mut R::Stream) -> R {
+        let (first, second) = (R::deviate(stream), R::deviate(stream));
         // ∫b = Tu b₀ + σTu²/√(u(2−u))·z₁ + σT√(2x − 4tanh(x/2))·z₂
         let integral = self.integral * *value + (self.coupled * first + self.independent * second);
         // b₁ = b₀ − u b₀ + σ√(u(2−u))·z₁: in single precision 1 − u would lose u's digits
         *value = *value + (self.drive * first - self.decay * *value);
         integral
-    }
-
-    /// A number that is finite if and only if every coefficient is.
-    pub(super) fn extent(&self) -> R {
-        self.rms + self.drive + self.integral + self.coupled + self.independent
     }
 }
 
@@ -108,10 +125,10 @@ pub struct GaussMarkov<R> {
 /// The bias and its random numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GaussMarkovState<R> {
+pub struct GaussMarkovState<R: Random> {
     /// The bias at the end of the last sample, angle/s.
     pub bias: Vector<R>,
-    streams: [Stream; 3],
+    streams: Axes<R>,
 }
 
 impl<R: Deviate> GaussMarkov<R> {
@@ -135,14 +152,23 @@ impl<R: Deviate> GaussMarkov<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for GaussMarkov<R> {
+impl<R: Copy> GaussMarkov<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> GaussMarkov<T> {
+        GaussMarkov { axes: self.axes.map(|process| process.map(&number)) }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for GaussMarkov<R> {
     type State = GaussMarkovState<R>;
 
     #[inline]
     fn start(&self, streams: Streams) -> GaussMarkovState<R> {
-        let mut state = GaussMarkovState { bias: Vector::ZERO, streams: streams.axes() };
+        let mut state = GaussMarkovState { bias: Vector::ZERO, streams: Axes::open(streams) };
         let GaussMarkovState { bias, streams } = &mut state;
-        for ((bias, process), stream) in bias.each_mut().into_iter().zip(&self.axes).zip(streams) {
+        for ((bias, process), stream) in
+            bias.each_mut().into_iter().zip(&self.axes).zip(streams.each_mut())
+        {
             *bias = process.start(stream);
         }
         state
@@ -151,13 +177,16 @@ impl<R: Deviate> ErrorTerm<R> for GaussMarkov<R> {
     #[inline(always)]
     fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
         let GaussMarkovState { bias, streams } = state;
-        let outputs = reading.increment.each_mut().into_iter().zip(bias.each_mut());
-        for ((output, bias), (process, stream)) in outputs.zip(self.axes.iter().zip(streams)) {
-            *output = *output + process.advance(bias, stream);
-        }
+        let ([x, y, z], [along_x, along_y, along_z]) = (streams.each_mut(), &self.axes);
+        let integral = Vector {
+            x: along_x.advance(&mut bias.x, x),
+            y: along_y.advance(&mut bias.y, y),
+            z: along_z.advance(&mut bias.z, z),
+        };
+        reading.increment = reading.increment + integral;
     }
 }
 
-impl<R: Deviate> Record for GaussMarkovState<R> {
+impl<R: Random> Record for GaussMarkovState<R> {
     record!(bias, streams);
 }

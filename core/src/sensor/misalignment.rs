@@ -18,6 +18,7 @@
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};
 use crate::math::vector::Vector;
+use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
 
 /// A small rotation of the triad, to first order.
@@ -41,13 +42,20 @@ impl<R: Deviate> Misalignment<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for Misalignment<R> {
+impl<R: Copy> Misalignment<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> Misalignment<T> {
+        Misalignment { rotation: self.rotation.map(number) }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for Misalignment<R> {
     type State = ();
 
     #[inline]
     fn start(&self, _: Streams) {}
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, _: &mut (), stimulus: &Stimulus<R>, reading: &mut Reading<R>) {
         // M·x = −m × x = x × m
         reading.increment = reading.increment + stimulus.sensed.cross(self.rotation);

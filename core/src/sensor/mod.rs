@@ -30,7 +30,9 @@ pub mod triad;
 pub mod turn_on;
 pub mod white;
 
+use crate::math::real::Real;
 use crate::math::vector::Vector;
+use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
 use crate::record::Record;
 use parameter::{Fault, Parameter, ParameterError};
@@ -57,6 +59,13 @@ impl<R: Deviate> Timing<R> {
         }
         Ok(Self { interval_s, samples })
     }
+}
+
+impl<R: Copy> Timing<R> {
+    /// The same timing in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(self, number: impl Fn(R) -> T) -> Timing<T> {
+        Timing { interval_s: number(self.interval_s), samples: self.samples }
+    }
 
     /// Seconds from sample to sample.
     pub fn interval_s(self) -> R {
@@ -81,25 +90,39 @@ pub struct Stimulus<R> {
 
 /// The output of a triad.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Reading<R> {
+pub struct Reading<R: Real> {
     /// The increment: it starts as the truth, and each term changes it.
     pub increment: Vector<R>,
     /// Whether an axis exceeded its limit.
-    pub saturated: bool,
+    pub saturated: R::Mask,
     /// The largest increment that each axis can deliver, if there is a limit.
     pub limit: Option<Vector<R>>,
 }
 
-impl<R> Reading<R> {
+impl<R: Real> Reading<R> {
     /// The reading of a perfect triad without limits.
+    #[inline(always)]
     pub fn new(increment: Vector<R>) -> Self {
-        Self { increment, saturated: false, limit: None }
+        Self { increment, saturated: R::ZERO.less(R::ZERO), limit: None }
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<R: Real<Mask: defmt::Format> + defmt::Format> defmt::Format for Reading<R> {
+    fn format(&self, f: defmt::Formatter) {
+        let Self { increment, saturated, limit } = self;
+        defmt::write!(
+            f,
+            "Reading {{ increment: {}, saturated: {}, limit: {} }}",
+            increment,
+            saturated,
+            limit
+        );
     }
 }
 
 /// An error term of a triad of sensors of one kind.
-pub trait ErrorTerm<R: Deviate> {
+pub trait ErrorTerm<R: Random> {
     /// Its state from sample to sample.
     type State: Clone + Record;
 
@@ -110,7 +133,7 @@ pub trait ErrorTerm<R: Deviate> {
     fn apply(&self, state: &mut Self::State, stimulus: &Stimulus<R>, reading: &mut Reading<R>);
 }
 
-impl<R: Deviate> ErrorTerm<R> for () {
+impl<R: Random> ErrorTerm<R> for () {
     type State = ();
 
     #[inline(always)]
@@ -120,7 +143,7 @@ impl<R: Deviate> ErrorTerm<R> for () {
     fn apply(&self, _: &mut (), _: &Stimulus<R>, _: &mut Reading<R>) {}
 }
 
-impl<R: Deviate, A: ErrorTerm<R>, B: ErrorTerm<R>> ErrorTerm<R> for (A, B) {
+impl<R: Random, A: ErrorTerm<R>, B: ErrorTerm<R>> ErrorTerm<R> for (A, B) {
     type State = (A::State, B::State);
 
     #[inline]
@@ -135,7 +158,7 @@ impl<R: Deviate, A: ErrorTerm<R>, B: ErrorTerm<R>> ErrorTerm<R> for (A, B) {
     }
 }
 
-impl<R: Deviate, T: ErrorTerm<R>> ErrorTerm<R> for Option<T> {
+impl<R: Random, T: ErrorTerm<R>> ErrorTerm<R> for Option<T> {
     type State = Option<T::State>;
 
     #[inline]

@@ -25,7 +25,9 @@
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};
+use crate::math::real::Real;
 use crate::math::vector::Vector;
+use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
 
 /// Quantization of the output. Its Allan variance is 3Q²/τ² with Q = step/√12.
@@ -49,7 +51,15 @@ impl<R: Deviate> Quantization<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for Quantization<R> {
+impl<R: Copy> Quantization<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> Quantization<T> {
+        let step = self.step.map(&number);
+        Quantization { step, steps_per_unit: self.steps_per_unit.map(number) }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for Quantization<R> {
     /// The input so far less the output so far: at most half a step.
     type State = Vector<R>;
 
@@ -58,41 +68,65 @@ impl<R: Deviate> ErrorTerm<R> for Quantization<R> {
         Vector::ZERO
     }
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, remainder: &mut Vector<R>, _: &Stimulus<R>, reading: &mut Reading<R>) {
         // y = x + c,  out = q·round(y/q),  c ← y − out
         let exact = reading.increment + *remainder;
-        let steps = self.step.zip(self.steps_per_unit, |q, inverse| (q, inverse));
-        let mut out = exact
-            .zip(steps, |y, (q, inverse)| if q > R::ZERO { q * (y * inverse).round() } else { y });
-        let mut rest = exact - out;
-        if let Some(limit) = reading.limit {
-            let most = limit.zip(steps, most);
-            let cut = |y: R, most: R| if y > most { most } else { y };
-            let within = |y: R, most: R| if y < R::ZERO { -cut(-y, most) } else { cut(y, most) };
-            let limited = out.zip(most, within);
-            reading.saturated |= limited != out;
-            out = limited;
-            rest = (exact - out).zip(self.step, |c, q| within(c, q * R::HALF));
-        }
-        reading.increment = out;
-        *remainder = rest;
+        let (q, inverse) = (self.step, self.steps_per_unit);
+        let out = Vector {
+            x: whole(exact.x, q.x, inverse.x),
+            y: whole(exact.y, q.y, inverse.y),
+            z: whole(exact.z, q.z, inverse.z),
+        };
+        (reading.increment, *remainder) = (out, exact - out);
+        let Some(limit) = reading.limit else { return };
+        let limited = Vector {
+            x: within(out.x, most(limit.x, q.x, inverse.x)),
+            y: within(out.y, most(limit.y, q.y, inverse.y)),
+            z: within(out.z, most(limit.z, q.z, inverse.z)),
+        };
+        let (x, y, z) =
+            (differ(limited.x, out.x), differ(limited.y, out.y), differ(limited.z, out.z));
+        reading.saturated = reading.saturated | x | y | z;
+        reading.increment = limited;
+        let (rest, half) = (exact - limited, q * R::HALF);
+        *remainder = Vector {
+            x: within(rest.x, half.x),
+            y: within(rest.y, half.y),
+            z: within(rest.z, half.z),
+        };
     }
 }
 
+/// The nearest whole number of steps, as an increment; the same where there is no step.
+#[inline(always)]
+fn whole<R: Real>(y: R, step: R, steps_per_unit: R) -> R {
+    R::select(R::ZERO.less(step), step * (y * steps_per_unit).round(), y)
+}
+
+/// A number, cut to ± a limit.
+#[inline(always)]
+fn within<R: Real>(y: R, most: R) -> R {
+    let negative = y.less(R::ZERO);
+    let size = R::select(negative, -y, y);
+    let cut = R::select(most.less(size), most, size);
+    R::select(negative, -cut, cut)
+}
+
+/// Whether two numbers differ.
+#[inline(always)]
+fn differ<R: Real>(a: R, b: R) -> R::Mask {
+    a.less(b) | b.less(a)
+}
+
 /// The largest whole number of steps within a limit, as an increment.
-fn most<R: Deviate>(limit: R, (step, steps_per_unit): (R, R)) -> R {
-    if step == R::ZERO {
-        return limit;
-    }
+#[inline(always)]
+fn most<R: Real>(limit: R, step: R, steps_per_unit: R) -> R {
     let nearest = (limit * steps_per_unit).round();
     // A limit that is a whole number of steps, but for its own rounding, is that number of steps.
     let most = nearest * step;
-    if most <= limit {
-        most
-    } else if most - limit <= limit * R::entry(5e-7, 1e-15) {
-        limit
-    } else {
-        (nearest - R::ONE) * step
-    }
+    let is_more = (limit * R::entry(5e-7, 1e-15)).less(most - limit);
+    let below = R::select(is_more, (nearest - R::ONE) * step, limit);
+    let most = R::select(limit.less(most), below, most);
+    R::select(R::ZERO.less(step), most, limit)
 }

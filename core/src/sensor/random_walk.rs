@@ -22,7 +22,8 @@
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
-use crate::noise::{Deviate, Stream, Streams};
+use crate::noise::random::{Axes, Random};
+use crate::noise::{Deviate, Streams};
 use crate::record::{Record, record};
 
 /// A bias that starts at zero and integrates white noise. Its Allan variance is K²τ/3.
@@ -38,10 +39,10 @@ pub struct RandomWalk<R> {
 /// The bias and its random numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RandomWalkState<R> {
+pub struct RandomWalkState<R: Random> {
     /// The bias at the end of the last sample, angle/s.
     pub bias: Vector<R>,
-    streams: [Stream; 3],
+    streams: Axes<R>,
 }
 
 impl<R: Deviate> RandomWalk<R> {
@@ -60,29 +61,38 @@ impl<R: Deviate> RandomWalk<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for RandomWalk<R> {
+impl<R: Copy> RandomWalk<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> RandomWalk<T> {
+        RandomWalk {
+            interval_s: number(self.interval_s),
+            step: self.step.map(&number),
+            coupled: self.coupled.map(&number),
+            independent: self.independent.map(&number),
+        }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for RandomWalk<R> {
     type State = RandomWalkState<R>;
 
     #[inline]
     fn start(&self, streams: Streams) -> RandomWalkState<R> {
-        RandomWalkState { bias: Vector::ZERO, streams: streams.axes() }
+        RandomWalkState { bias: Vector::ZERO, streams: Axes::open(streams) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, state: &mut Self::State, _: &Stimulus<R>, reading: &mut Reading<R>) {
-        let [x, y, z] = &mut state.streams;
-        let first = Vector::new(x.normal(), y.normal(), z.normal());
-        let second = Vector::new(x.normal(), y.normal(), z.normal());
-        let times = |k: Vector<R>, deviates: Vector<R>| k.zip(deviates, |k, z| k * z);
+        let (first, second) = (state.streams.normal(), state.streams.normal());
         // ∫b = b₀Δt + K√Δt·Δt(½z₁ + z₂/√12),  b₁ = b₀ + K√Δt·z₁
         let integral = state.bias * self.interval_s
-            + times(self.coupled, first)
-            + times(self.independent, second);
+            + self.coupled.times(first)
+            + self.independent.times(second);
         reading.increment = reading.increment + integral;
-        state.bias = state.bias + times(self.step, first);
+        state.bias = state.bias + self.step.times(first);
     }
 }
 
-impl<R: Deviate> Record for RandomWalkState<R> {
+impl<R: Random> Record for RandomWalkState<R> {
     record!(bias, streams);
 }

@@ -19,7 +19,9 @@
 
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
+use crate::math::real::Real;
 use crate::math::vector::Vector;
+use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
 
 /// Limits of the mean rate over a sample. A larger reading is set to the limit, and marked.
@@ -48,26 +50,35 @@ impl<R: Deviate> Saturation<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for Saturation<R> {
+impl<R: Copy> Saturation<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> Saturation<T> {
+        Saturation { limit: self.limit.map(number) }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for Saturation<R> {
     type State = ();
 
     #[inline]
     fn start(&self, _: Streams) {}
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, _: &mut (), _: &Stimulus<R>, reading: &mut Reading<R>) {
-        let Reading { increment, saturated, limit } = reading;
-        *limit = Some(self.limit);
-        *increment = increment.zip(self.limit, |x, limit| {
-            let (over, under) = (x > limit, x < -limit);
-            *saturated |= over | under;
-            if over {
-                limit
-            } else if under {
-                -limit
-            } else {
-                x
-            }
-        });
+        let (read, limit, mark) = (reading.increment, self.limit, &mut reading.saturated);
+        let increment = Vector {
+            x: limited(read.x, limit.x, mark),
+            y: limited(read.y, limit.y, mark),
+            z: limited(read.z, limit.z, mark),
+        };
+        (reading.increment, reading.limit) = (increment, Some(self.limit));
     }
+}
+
+/// A reading within ± a limit, and a mark where it was not.
+#[inline(always)]
+fn limited<R: Real>(x: R, limit: R, saturated: &mut R::Mask) -> R {
+    let (over, under) = (limit.less(x), x.less(-limit));
+    *saturated = *saturated | over | under;
+    R::select(over, limit, R::select(under, -limit, x))
 }

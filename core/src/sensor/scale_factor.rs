@@ -19,6 +19,7 @@
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus};
 use crate::math::vector::Vector;
+use crate::noise::random::Random;
 use crate::noise::{Deviate, Streams};
 
 /// A relative error of each axis.
@@ -39,16 +40,23 @@ impl<R: Deviate> ScaleFactor<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for ScaleFactor<R> {
+impl<R: Copy> ScaleFactor<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> ScaleFactor<T> {
+        ScaleFactor { relative: self.relative.map(number) }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for ScaleFactor<R> {
     type State = ();
 
     #[inline]
     fn start(&self, _: Streams) {}
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, _: &mut (), stimulus: &Stimulus<R>, reading: &mut Reading<R>) {
         // S = diag(s):  S·x
-        let error = self.relative.zip(stimulus.sensed, |s, x| s * x);
+        let error = self.relative.times(stimulus.sensed);
         reading.increment = reading.increment + error;
     }
 }

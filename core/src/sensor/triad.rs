@@ -24,7 +24,8 @@ use super::scale_factor::ScaleFactor;
 use super::turn_on::TurnOn;
 use super::white::White;
 use super::{ErrorTerm, Reading, Stimulus};
-use crate::noise::{Deviate, Streams};
+use crate::noise::Streams;
+use crate::noise::random::Random;
 use crate::record::{Record, record};
 
 macro_rules! triad {
@@ -41,7 +42,7 @@ macro_rules! triad {
         /// The states of the terms.
         #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-        pub struct TriadState<R: Deviate> {
+        pub struct TriadState<R: Random> {
             $($name: <Option<$term<R>> as ErrorTerm<R>>::State,)+
         }
 
@@ -50,14 +51,21 @@ macro_rules! triad {
             pub const PERFECT: Self = Self { $($name: None,)+ };
         }
 
-        impl<R: Deviate> ErrorTerm<R> for Triad<R> {
+        impl<R: Copy> Triad<R> {
+            /// The same terms in numbers of another type, as `number` makes them from these.
+            pub fn map<T>(&self, number: impl Fn(R) -> T) -> Triad<T> {
+                Triad { $($name: self.$name.as_ref().map(|term| term.map(&number)),)+ }
+            }
+        }
+
+        impl<R: Random> ErrorTerm<R> for Triad<R> {
             type State = TriadState<R>;
 
             fn start(&self, streams: Streams) -> TriadState<R> {
                 TriadState { $($name: self.$name.start(streams.branch($branch)),)+ }
             }
 
-            #[inline]
+            #[inline(always)]
             fn apply(
                 &self,
                 state: &mut TriadState<R>,
@@ -68,7 +76,7 @@ macro_rules! triad {
             }
         }
 
-        impl<R: Deviate> Record for TriadState<R> {
+        impl<R: Random> Record for TriadState<R> {
             record!($($name),+);
         }
     };

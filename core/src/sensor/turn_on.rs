@@ -20,6 +20,7 @@
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
+use crate::noise::random::{Axes, Random};
 use crate::noise::{Deviate, Streams};
 
 /// A bias that is constant during a run and normally distributed over the runs.
@@ -42,18 +43,24 @@ impl<R: Deviate> TurnOn<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for TurnOn<R> {
+impl<R: Copy> TurnOn<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> TurnOn<T> {
+        TurnOn { rms_increment: self.rms_increment.map(number) }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for TurnOn<R> {
     /// What the bias of this run adds to every sample.
     type State = Vector<R>;
 
     #[inline]
     fn start(&self, streams: Streams) -> Vector<R> {
         // ∫b dt = σΔt·z
-        let [x, y, z] = streams.axes().map(|mut stream| stream.normal::<R>());
-        self.rms_increment.zip(Vector::new(x, y, z), |rms, deviate| rms * deviate)
+        self.rms_increment.times(Axes::open(streams).normal())
     }
 
-    #[inline]
+    #[inline(always)]
     fn apply(&self, bias: &mut Vector<R>, _: &Stimulus<R>, reading: &mut Reading<R>) {
         reading.increment = reading.increment + *bias;
     }

@@ -20,7 +20,8 @@
 use super::parameter::{Parameter, ParameterError};
 use super::{ErrorTerm, Reading, Stimulus, Timing};
 use crate::math::vector::Vector;
-use crate::noise::{Deviate, Stream, Streams};
+use crate::noise::random::{Axes, Random};
+use crate::noise::{Deviate, Streams};
 
 /// White noise, whose integral is a random walk. Its Allan variance is N²/τ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,19 +43,25 @@ impl<R: Deviate> White<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for White<R> {
-    type State = [Stream; 3];
+impl<R: Copy> White<R> {
+    /// The same term in numbers of another type, as `number` makes them from these.
+    pub fn map<T>(&self, number: impl Fn(R) -> T) -> White<T> {
+        White { deviation: self.deviation.map(number) }
+    }
+}
+
+impl<R: Random> ErrorTerm<R> for White<R> {
+    type State = Axes<R>;
 
     #[inline]
-    fn start(&self, streams: Streams) -> [Stream; 3] {
-        streams.axes()
+    fn start(&self, streams: Streams) -> Axes<R> {
+        Axes::open(streams)
     }
 
-    #[inline]
-    fn apply(&self, streams: &mut [Stream; 3], _: &Stimulus<R>, reading: &mut Reading<R>) {
-        let [x, y, z] = streams;
+    #[inline(always)]
+    fn apply(&self, streams: &mut Axes<R>, _: &Stimulus<R>, reading: &mut Reading<R>) {
         // N√Δt·z
-        let deviates = Vector::new(x.normal(), y.normal(), z.normal());
-        reading.increment = reading.increment + self.deviation.zip(deviates, |n, z: R| n * z);
+        let noise = self.deviation.times(streams.normal());
+        reading.increment = reading.increment + noise;
     }
 }

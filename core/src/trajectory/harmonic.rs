@@ -25,7 +25,7 @@
 use super::{Bound, Jet, Motion, Trajectory};
 use crate::earth::SEMI_MAJOR_AXIS;
 use crate::math::compensated::{Pair, two_product};
-use crate::math::real::Scalar;
+use crate::math::real::{Real, Scalar};
 use core::f64::consts::{PI, TAU};
 use heapless::Vec;
 
@@ -220,7 +220,8 @@ fn bound<R: Scalar>(channels: &[Channel<'_, R>; 6]) -> Result<Bound<R>, CourseEr
 }
 
 /// rate·t wrapped to ±π, rad, correct to the last digit of its size.
-fn turned<R: Scalar>(rate: R, time_s: Pair<R>) -> R {
+#[inline(always)]
+fn turned<R: Real>(rate: R, time_s: Pair<R>) -> R {
     let (steady, rest) = two_product(rate, time_s.hi);
     let turns = (steady / R::of(TAU)).round();
     // 2π as a rounded number and its remainder: for many turns, both count.
@@ -229,34 +230,34 @@ fn turned<R: Scalar>(rate: R, time_s: Pair<R>) -> R {
     (steady - whole) + (rest + rate * time_s.lo - dropped - low)
 }
 
-impl<R: Scalar, const N: usize> Trajectory<R> for HarmonicTrajectory<R, N> {
-    #[inline]
-    #[expect(
-        clippy::indexing_slicing,
-        reason = "every index is below the length of its array, a constant"
-    )]
-    fn at_instant(&self, time_s: Pair<R>) -> Motion<R> {
-        let mut value = self.offset;
-        let mut first = self.rate;
-        let mut second = [R::ZERO; 6];
-        for (channel, (v, rate)) in value.iter_mut().zip(self.rate).enumerate() {
+impl<R: Scalar, const N: usize> HarmonicTrajectory<R, N> {
+    /// The motion at several times, one in each lane of a pack; `number` makes a pack of a number.
+    #[inline(always)]
+    pub fn at_instants<P: Real>(&self, time_s: Pair<P>, number: impl Fn(R) -> P) -> Motion<P> {
+        let (mut value, mut first, mut second) = ([P::ZERO; 6], [P::ZERO; 6], [P::ZERO; 6]);
+        let channels = value.iter_mut().zip(&mut first).zip(self.offset.iter().zip(&self.rate));
+        for (channel, ((value, first), (&offset, &rate))) in channels.enumerate() {
+            let (offset, rate) = (number(offset), number(rate));
             let steady = rate * time_s.hi;
-            *v = if channel < ANGLES && steady.abs() > R::of(PI) {
-                *v + turned(rate, time_s)
-            } else {
-                *v + (steady + rate * time_s.lo)
-            };
+            let far = P::of(PI).less(steady.abs());
+            let plain = steady + rate * time_s.lo;
+            let turned = channel < ANGLES && P::any(far);
+            *value = offset
+                + if turned { P::select(far, self::turned(rate, time_s), plain) } else { plain };
+            *first = rate;
         }
         for (tone, &w) in self.tones.iter().enumerate() {
             // The remainder of the phase, which after a day of vibration is a millionth of a
             // turn: sin(x + e) = sin x + e cos x
+            let w = number(w);
             let (phase, rest) = two_product(w, time_s.hi);
             let rest = rest + w * time_s.lo;
             let (s, c) = phase.sin_cos();
             let (s, c) = (s + rest * c, c - rest * s);
             for share in self.shares.iter().filter(|share| share.tone == tone) {
-                let in_phase = share.cosine * c + share.sine * s;
-                let quadrature = share.sine * c - share.cosine * s;
+                let (cosine, sine) = (number(share.cosine), number(share.sine));
+                let in_phase = cosine * c + sine * s;
+                let quadrature = sine * c - cosine * s;
                 // x = a cos ωt + b sin ωt,  ẋ = ω(b cos ωt − a sin ωt),  ẍ = −ω²x
                 if let (Some(x), Some(xd), Some(xdd)) = (
                     value.get_mut(share.channel),
@@ -269,15 +270,21 @@ impl<R: Scalar, const N: usize> Trajectory<R> for HarmonicTrajectory<R, N> {
                 }
             }
         }
-        let jet = |i: usize| Jet { value: value[i], first: first[i], second: second[i] };
         Motion {
-            roll: jet(0),
-            pitch: jet(1),
-            yaw: jet(2),
-            latitude: jet(3),
-            longitude: jet(4),
-            altitude: jet(5),
+            roll: Jet { value: value[0], first: first[0], second: second[0] },
+            pitch: Jet { value: value[1], first: first[1], second: second[1] },
+            yaw: Jet { value: value[2], first: first[2], second: second[2] },
+            latitude: Jet { value: value[3], first: first[3], second: second[3] },
+            longitude: Jet { value: value[4], first: first[4], second: second[4] },
+            altitude: Jet { value: value[5], first: first[5], second: second[5] },
         }
+    }
+}
+
+impl<R: Scalar, const N: usize> Trajectory<R> for HarmonicTrajectory<R, N> {
+    #[inline]
+    fn at_instant(&self, time_s: Pair<R>) -> Motion<R> {
+        self.at_instants(time_s, |x| x)
     }
 
     fn bound(&self) -> Bound<R> {

@@ -100,7 +100,7 @@ impl<R: Real> Motion<R> {
     }
 
     /// What perfect sensors read: angular rate and specific force in body axes.
-    #[inline]
+    #[inline(always)]
     pub fn rates(&self) -> Rates<R> {
         let Motion { roll, pitch, yaw, latitude, longitude, altitude } = *self;
         let (s, c) = latitude.value.sin_cos();
@@ -121,15 +121,10 @@ impl<R: Real> Motion<R> {
         let mut specific_force = acceleration + coriolis;
         specific_force.z = specific_force.z - earth::gravity(s, altitude.value);
 
-        let (sin_roll, cos_roll) = roll.value.sin_cos();
-        let (sin_pitch, cos_pitch) = pitch.value.sin_cos();
-        let (sin_yaw, cos_yaw) = yaw.value.sin_cos();
-        // C_nᵇ = Rx(γ)·Ry(θ)·Rz(ψ)
-        let to_body = |n: Vector<R>| {
-            let (x, y) = (cos_yaw * n.x + sin_yaw * n.y, cos_yaw * n.y - sin_yaw * n.x);
-            let (x, z) = (cos_pitch * x - sin_pitch * n.z, sin_pitch * x + cos_pitch * n.z);
-            Vector::new(x, cos_roll * y + sin_roll * z, cos_roll * z - sin_roll * y)
-        };
+        let roll_turn = roll.value.sin_cos();
+        let pitch_turn = pitch.value.sin_cos();
+        let to_body = [roll_turn, pitch_turn, yaw.value.sin_cos()];
+        let ((sin_roll, cos_roll), (sin_pitch, cos_pitch)) = (roll_turn, pitch_turn);
         // ω_nbᵇ = (γ̇ − ψ̇ sinθ, θ̇ cosγ + ψ̇ sinγ cosθ, −θ̇ sinγ + ψ̇ cosγ cosθ)
         let rate_nb = Vector::new(
             roll.first - yaw.first * sin_pitch,
@@ -137,10 +132,20 @@ impl<R: Real> Motion<R> {
             yaw.first * cos_roll * cos_pitch - pitch.first * sin_roll,
         );
         Rates {
-            rate_ib_b: rate_nb + to_body(earth_rate + transport_rate),
-            specific_force_b: to_body(specific_force),
+            rate_ib_b: rate_nb + turned(to_body, earth_rate + transport_rate),
+            specific_force_b: turned(to_body, specific_force),
         }
     }
+}
+
+/// A vector's components in body axes, from those north, east, down; from sine and cosine of roll, pitch, yaw.
+#[inline(always)]
+fn turned<R: Real>([roll, pitch, yaw]: [(R, R); 3], n: Vector<R>) -> Vector<R> {
+    // C_nᵇ = Rx(γ)·Ry(θ)·Rz(ψ)
+    let ((sin_roll, cos_roll), (sin_pitch, cos_pitch), (sin_yaw, cos_yaw)) = (roll, pitch, yaw);
+    let (x, y) = (cos_yaw * n.x + sin_yaw * n.y, cos_yaw * n.y - sin_yaw * n.x);
+    let (x, z) = (cos_pitch * x - sin_pitch * n.z, sin_pitch * x + cos_pitch * n.z);
+    Vector::new(x, cos_roll * y + sin_roll * z, cos_roll * z - sin_roll * y)
 }
 
 impl<R: Scalar> Motion<R> {

@@ -34,11 +34,13 @@ def run(
     rows: bool = True,
     every: int | str | None = None,
     force_all: bool = False,
+    run: int = 0,
     **options: Unpack[Options],
 ) -> Flight:
     """Flies a scene (that of the paper unless told), and compares its navigation with truth and theory.
 
-    `every` keeps each so many rows, or a row each so many seconds ("10s"); the extremes are over all. A flight that
+    `every` keeps each so many rows, or a row each so many seconds ("10s"); the extremes are over all. `run` is the
+    number of an ensemble's run that is flown by itself. A flight that
     cannot go on raises FlightError, whose `flown` is what was flown.
     """
 
@@ -47,6 +49,7 @@ def emulate(
     *,
     perfect: bool = False,
     rates: bool = False,
+    run: int = 0,
     **options: Unpack[Options],
 ) -> Emulation:
     """The sensors' samples of a scene, with the truth and the state to start from.

@@ -11,7 +11,7 @@ use schuler_simulator::input::InputError;
 use schuler_simulator::recording::csv::{INCREMENTS, RATES};
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
 use schuler_simulator::scene::Scene as Flown;
-use schuler_simulator::simulate::offset;
+use schuler_simulator::simulate::start;
 use schuler_simulator::source::Source;
 
 /// A stream of samples with what belongs to it.
@@ -47,13 +47,14 @@ fn emulated(
     scene: &Flown,
     source: &Source,
     rates: bool,
+    run: u64,
     watch: &mut Watch,
 ) -> Result<Growing, InputError> {
     let samples = scene.samples();
     let names = if rates { &RATES } else { &INCREMENTS };
     let mut rows =
         Growing { imu: Rows::new(names, samples), truth: Rows::new(&COLUMNS, 1 + samples) };
-    let mut stream = source.start(0);
+    let mut stream = source.start(run);
     let truth = |sample: u64| NavigationRow::new(source.time_s(sample), &source.truth(sample));
     rows.truth.add(&truth(0).columns());
     for sample in 1..=samples {
@@ -74,12 +75,13 @@ fn emulated(
 
 /// The sensors' samples of a scene.
 #[pyfunction]
-#[pyo3(signature = (scene=None, *, perfect=false, rates=false, **options))]
+#[pyo3(signature = (scene=None, *, perfect=false, rates=false, run=0, **options))]
 pub fn emulate(
     py: Python<'_>,
     scene: Option<&Bound<'_, PyAny>>,
     perfect: bool,
     rates: bool,
+    run: u64,
     options: Option<&Bound<'_, PyDict>>,
 ) -> Answer<Emulation> {
     let mut scene = scene::of(scene, options)?;
@@ -90,8 +92,9 @@ pub fn emulate(
     let mut watch = Watch::new();
     let (rows, initial) = py.detach(|| -> Answer<_> {
         let source = Source::new(&scene, false)?;
-        let initial = State::start(source.time_s(0), &offset(&source.initial(0), &scene));
-        Ok((emulated(&scene, &source, rates, &mut watch), initial))
+        let initial =
+            State::start(source.time_s(0), &start::of_run(&source.initial(0), &scene, run));
+        Ok((emulated(&scene, &source, rates, run, &mut watch), initial))
     })?;
     watch.raised()?;
     let Growing { imu, truth } = rows?;

@@ -90,6 +90,7 @@ type End = (flight::Flight, Result<(), FlightError>);
 fn fly(
     scene: &Flown,
     force_all: bool,
+    run: u64,
     rows: &mut Option<Growing>,
     watch: &mut Watch,
 ) -> Result<End, FlightError> {
@@ -99,18 +100,19 @@ fn fly(
         }
         watch.look()
     };
-    Simulation::new(scene, force_all)?.fly_as_far(&mut observe, &|_| {})
+    Simulation::of_run(scene, force_all, run)?.fly_as_far(&mut observe, &|_| {})
 }
 
 /// Flies a scene, and compares its navigation with truth and theory.
 #[pyfunction]
-#[pyo3(signature = (scene=None, *, rows=true, every=None, force_all=false, **options))]
+#[pyo3(signature = (scene=None, *, rows=true, every=None, force_all=false, run=0, **options))]
 pub fn run(
     py: Python<'_>,
     scene: Option<&Bound<'_, PyAny>>,
     rows: bool,
     every: Option<&Bound<'_, PyAny>>,
     force_all: bool,
+    run: u64,
     options: Option<&Bound<'_, PyDict>>,
 ) -> Answer<Flight> {
     let scene = scene::of(scene, options)?;
@@ -118,7 +120,7 @@ pub fn run(
     let (end, rows, watch) = py.detach(|| {
         let mut rows = rows.then(|| Growing::new(&scene, every));
         let mut watch = Watch::new();
-        let end = fly(&scene, force_all, &mut rows, &mut watch);
+        let end = fly(&scene, force_all, run, &mut rows, &mut watch);
         (end, rows, watch)
     });
     watch.raised()?;

@@ -1,7 +1,7 @@
 //! Charts and pages: knows nothing of scenes and flights.
 //!
 //! A [`chart`] with its [`axis`] and [`grid`] is drawn on a [`canvas`], which is an [`svg`] or a [`raster`]
-//! image; a logarithmic axis has [`decades`]; a [`page`] holds figures and tables in one file.
+//! image; a logarithmic axis has [`decades`], many dots [`scatter`]; a [`page`] holds figures and tables in one file.
 
 pub mod axis;
 pub mod canvas;
@@ -11,4 +11,5 @@ pub mod decimate;
 pub mod grid;
 pub mod page;
 pub mod raster;
+pub mod scatter;
 pub mod svg;

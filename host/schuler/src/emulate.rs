@@ -7,7 +7,7 @@ use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow, NavigationWriter};
 use schuler_simulator::recording::writer::ImuWriter;
 use schuler_simulator::scene::Scene;
-use schuler_simulator::simulate::{FlightError, offset};
+use schuler_simulator::simulate::{FlightError, start};
 use schuler_simulator::source::Source;
 use std::path::Path;
 
@@ -15,13 +15,13 @@ use std::path::Path;
 pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     let source = Source::new(&scene, false)?;
-    let mut stream = source.start(0);
+    let mut stream = source.start(args.number);
     let progress = Progress::new(scene.samples());
     let create = if args.rates { ImuWriter::rates } else { ImuWriter::increments };
     let mut writer = create(&args.out)?;
     let mut files = Vec::new();
     if let Some(path) = args.initial() {
-        files.push(initial(&path, &scene, &source)?);
+        files.push(initial(&path, &scene, &source, args.number)?);
     }
     let mut truth = args.truth.as_ref().map(NavigationWriter::create).transpose()?;
     announce(args, &scene);
@@ -71,9 +71,14 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
     Ok(())
 }
 
-/// The state that navigation starts from, off by what the scene says.
-fn initial(path: &Path, scene: &Scene, source: &Source) -> Result<OutputFile, FlightError> {
-    let start = offset(&source.initial(0), scene);
+/// The state that a run's navigation starts from, off by what the scene says.
+fn initial(
+    path: &Path,
+    scene: &Scene,
+    source: &Source,
+    run: u64,
+) -> Result<OutputFile, FlightError> {
+    let start = start::of_run(&source.initial(0), scene, run);
     let mut file = OutputFile::create(path)?;
     let is_off = scene.initial_error != Default::default();
     let off = if is_off { ", off by its initial_error" } else { "" };

@@ -39,7 +39,7 @@ fn fly(
     scene: &Scene,
     directory: &Path,
 ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
-    let simulation = Simulation::new(scene, args.force_all)?;
+    let simulation = Simulation::of_run(scene, args.force_all, args.number)?;
     let progress = Progress::new(scene.samples());
     let mut files = FlightFiles::create(directory, args.wanted())?;
     let rows = scene.samples();
@@ -54,7 +54,9 @@ fn fly(
     }
     let source = args.mcap.as_ref().map(|_| Source::new(scene, args.force_all)).transpose()?;
     let mut messages = match (&args.mcap, &source) {
-        (Some(file), Some(source)) => Some(Messages::create(file, source, args.every)?),
+        (Some(file), Some(source)) => {
+            Some(Messages::create(file, source, args.number, args.every)?)
+        }
         _ => None,
     };
     let mut row = |instant: &Instant| {

@@ -9,7 +9,7 @@ use schuler_simulator::scene::{Precision, builtin};
 use std::path::Path;
 use std::process::{Command, Output};
 
-fn golden_folder() -> &'static Path {
+pub fn golden_folder() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden"))
 }
 
@@ -18,7 +18,7 @@ pub fn schuler(arguments: &[&str]) -> Output {
     Command::new(program).arg("audit").args(arguments).output().unwrap()
 }
 
-fn printed(output: &Output) -> String {
+pub fn printed(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 

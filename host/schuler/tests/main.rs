@@ -19,6 +19,7 @@
 
 mod allan;
 mod audit;
+mod audit_limits;
 mod audit_refused;
 mod command_line;
 mod ensemble;

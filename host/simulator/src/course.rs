@@ -1,5 +1,6 @@
 //! The motion of a scene: channels of harmonics, or any path in pieces, and the unit that it carries.
 
+use crate::lanes::truth::Truth;
 use schuler::imu::Quadrature;
 use schuler::math::compensated::Pair;
 use schuler::sample::{Increment, Rates};
@@ -105,6 +106,31 @@ impl Course {
     /// The perfect increment of a sample, whose number counts from 1.
     pub fn sample(&self, quadrature: Quadrature, number: u64, rate_hz: f64) -> Increment<f64> {
         each!(self, motion => quadrature.sample(motion, number, rate_hz))
+    }
+
+    /// Whether samples are worked out side by side where the machine has lanes.
+    pub fn is_for_lanes(&self) -> bool {
+        matches!(self, Self::Plain(Reference::Harmonic(_)))
+    }
+
+    /// The perfect increments of samples from a number on, side by side where that is possible: the bits of each
+    /// alone.
+    pub fn samples(
+        &self,
+        quadrature: Quadrature,
+        first: u64,
+        rate_hz: f64,
+        increments: &mut [Increment<f64>],
+    ) {
+        if let Self::Plain(Reference::Harmonic(course)) = self {
+            let increments = &mut *increments;
+            if (Truth { course, quadrature, rate_hz, first, increments }).work_out() {
+                return;
+            }
+        }
+        for (number, increment) in (first..).zip(increments) {
+            *increment = self.sample(quadrature, number, rate_hz);
+        }
     }
 
     /// The perfect increment between two times, s.

@@ -31,6 +31,19 @@ impl Nine {
         "attitude_down_arcsec",
     ];
 
+    /// What files call their standard deviations, in order.
+    pub const SIGMAS: [&str; 9] = [
+        "north_m_sigma",
+        "east_m_sigma",
+        "down_m_sigma",
+        "north_m_s_sigma",
+        "east_m_s_sigma",
+        "down_m_s_sigma",
+        "attitude_north_arcsec_sigma",
+        "attitude_east_arcsec_sigma",
+        "attitude_down_arcsec_sigma",
+    ];
+
     /// What the last three were called before, though they are no errors of Euler's angles.
     pub const FORMER: [&str; 3] = ["roll_arcsec", "pitch_arcsec", "yaw_arcsec"];
 

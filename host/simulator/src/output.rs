@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `file` | an output file, and several that belong together |
 //! | `aside` | the file before it has its name |
+//! | `growing` | a file that grows by whole pieces |
 //! | `way` | the folders of its path |
 //! | `table` | CSV files |
 //! | `stop` | what is removed when the program is told to stop |
@@ -11,12 +12,14 @@
 
 mod aside;
 mod file;
+mod growing;
 pub mod heard;
 pub mod stop;
 mod table;
 mod way;
 
 pub use file::{OutputFile, place};
+pub use growing::GrowingFile;
 pub use table::{NumberTable, csv};
 
 use crate::input::{Complaint, InputError};

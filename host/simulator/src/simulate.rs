@@ -2,6 +2,7 @@
 
 mod error;
 mod log;
+pub mod start;
 mod vehicle;
 
 pub use error::{FlightError, Refused};
@@ -31,19 +32,25 @@ pub struct Simulation<'a> {
     theory: Theory,
     initial: Solution<f64>,
     vehicle: Box<dyn Vehicle>,
+    run: u64,
 }
 
 impl<'a> Simulation<'a> {
-    /// Of a scene; `force_all` skips nothing.
+    /// Of a scene's run 0; `force_all` skips nothing.
     pub fn new(scene: &'a Scene, force_all: bool) -> Result<Self, FlightError> {
+        Self::of_run(scene, force_all, 0)
+    }
+
+    /// Of the run of a number, as an ensemble flies it.
+    pub fn of_run(scene: &'a Scene, force_all: bool, run: u64) -> Result<Self, FlightError> {
         let source = Source::new(scene, force_all)?;
         let plan = Plan::new(scene, &source, force_all);
         let theory = Theory::new(scene).map_err(SourceError::Trajectory)?;
         let interval_s = Pair::new(scene.rate_hz).reciprocal();
-        let initial = offset(&source.initial(0), scene);
+        let initial = start::of_run(&source.initial(0), scene, run);
         let navigator =
             navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &initial)?;
-        Ok(Self { scene, source, plan, theory, initial, vehicle: Box::new(navigator) })
+        Ok(Self { scene, source, plan, theory, initial, vehicle: Box::new(navigator), run })
     }
 
     /// Whether theory expects anything at all, so that its columns are not zero throughout.
@@ -78,7 +85,7 @@ impl<'a> Simulation<'a> {
         observe: &mut dyn FnMut(&Instant) -> Result<(), InputError>,
         progress: &dyn Fn(u64),
     ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
-        let Self { scene, source, plan, mut theory, initial, mut vehicle } = self;
+        let Self { scene, source, plan, mut theory, initial, mut vehicle, run } = self;
         let (samples, gap) = (scene.samples(), scene.navigator.gap);
         let mut log = Log::new(samples, scene.rate_hz);
         let (written, flown) = (RefCell::new(Ok(())), Cell::new(0));
@@ -102,7 +109,7 @@ impl<'a> Simulation<'a> {
             }
         };
         row(0, &initial);
-        let mut stream = source.start(0);
+        let mut stream = source.start(run);
         let mut bridge = Bridge::new(gap.into());
         let mut end = None;
         for sample in 1..=samples {
@@ -193,18 +200,9 @@ fn push(
     Ok(())
 }
 
-/// The truth, off by the scene's initial error; what is held is not off.
+/// Where the scene's first run starts: [`start::of_run`] of run 0.
 pub fn offset(truth: &Solution<f64>, scene: &Scene) -> Solution<f64> {
-    let mut error = scene.initial_error;
-    if scene.navigator.vertical == Vertical::Held {
-        (error.position_m[2], error.velocity_m_s[2]) = (0.0, 0.0);
-    }
-    let error = Drift {
-        position_ned: error.position_m.into(),
-        velocity_ned: error.velocity_m_s.into(),
-        attitude_ned: error.attitude_rad.into(),
-    };
-    if error == Drift::default() { *truth } else { error.added_to(truth) }
+    start::of_run(truth, scene, 0)
 }
 
 fn instant(source: &Source, theory: &mut Theory, sample: u64, computed: &Solution<f64>) -> Instant {

@@ -1,23 +1,29 @@
 //! The stream of samples of a scene: true motion, perfect increments, sensor errors, link.
 
 pub use crate::course::Course;
-use crate::emulator::{self, SceneEmulator};
+use crate::emulator;
+use crate::lanes::one::One;
+use crate::lanes::pack::Lanes;
+use crate::lanes::sensors::{Sensors, Terms, same};
 use crate::lively;
 use crate::scene::Scene;
 use schuler::imu::{self, Quadrature};
 use schuler::math::compensated::Pair;
+use schuler::math::vector::Vector;
 use schuler::noise::{Stream, Streams};
 use schuler::sample::{Increment, Rates};
-use schuler::sensor::ErrorTerm;
 use schuler::sensor::parameter::ParameterError;
 use schuler::sensor::triad::Triad;
 use schuler::solution::Solution;
 use schuler::trajectory::harmonic::CourseError;
 use schuler::trajectory::{Motion, Trajectory};
 use std::fmt;
+use std::ops::Range;
 
-type SensorState = <Triad<f64> as ErrorTerm<f64>>::State;
-type EmulatorState = schuler::sensor::emulator::EmulatorState<SensorState, SensorState>;
+/// Samples that are worked out at once where one run asks for one after the other.
+const AT_ONCE: u64 = 64;
+
+type EmulatorState = schuler::sensor::emulator::State<One, Triad<One>, Triad<One>>;
 
 /// A scene that the core cannot build.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +52,7 @@ pub struct Source {
     /// The quadrature of its rates.
     pub quadrature: Quadrature,
     /// The sensors; `None` where they are perfect.
-    pub emulator: Option<SceneEmulator>,
+    pub emulator: Option<Terms<One>>,
     rate_hz: f64,
     seed: u64,
     loss: f64,
@@ -71,7 +77,7 @@ impl Source {
         let emulator = if perfect && !force_all {
             None
         } else {
-            Some(emulator::build(scene).map_err(SourceError::Sensor)?)
+            Some(emulator::build(scene).map_err(SourceError::Sensor)?.map(One))
         };
         let still = bandwidth == 0.0 && scene.link.jitter_s == 0.0 && !force_all;
         let constant = still.then(|| course.sample(quadrature, 1, scene.rate_hz));
@@ -132,9 +138,25 @@ impl Source {
         self.constant.unwrap_or_else(sampled)
     }
 
+    /// The perfect increments of samples of these numbers, from 1.
+    pub fn perfect_samples(&self, numbers: Range<u64>) -> Vec<Increment<f64>> {
+        let still = Increment { angle_b: Vector::ZERO, velocity_b: Vector::ZERO };
+        let mut increments = vec![self.constant.unwrap_or(still); numbers.clone().count()];
+        if self.constant.is_none() {
+            self.course.samples(self.quadrature, numbers.start, self.rate_hz, &mut increments);
+        }
+        increments
+    }
+
     /// The perfect increment between two times, s.
     pub fn perfect(&self, from_s: f64, to_s: f64) -> Increment<f64> {
         self.constant.unwrap_or_else(|| self.course.increment(self.quadrature, from_s, to_s))
+    }
+
+    /// Starts the sensors of run `first` and of those after it, one in each lane; `None` where they are
+    /// perfect.
+    pub fn start_lanes<P: Lanes<N>, const N: usize>(&self, first: u64) -> Option<Sensors<P, N>> {
+        self.emulator.as_ref().map(|terms| Sensors::start(terms, self.seed, first))
     }
 
     /// Starts the stream of one run.
@@ -145,10 +167,24 @@ impl Source {
             state: self.emulator.as_ref().map(|emulator| emulator.start(self.seed, run)),
             loss: link.branch(0).open(),
             jitter: link.branch(1).open(),
+            ahead: Vec::new(),
+            from: 0,
             sample: 0,
             end_s: 0.0,
         }
     }
+}
+
+/// What sensors make of a perfect increment.
+#[inline]
+pub fn emulate(
+    emulator: &Terms<One>,
+    state: &mut EmulatorState,
+    perfect: &Increment<f64>,
+) -> Increment<f64> {
+    let read = emulator.emulate(state, &same(perfect));
+    let plain = |v: Vector<One>| v.map(|One(x)| x);
+    Increment { angle_b: plain(read.angle_b), velocity_b: plain(read.velocity_b) }
 }
 
 /// The samples of one run, in order and without end.
@@ -157,6 +193,9 @@ pub struct Samples<'a> {
     state: Option<EmulatorState>,
     loss: Stream,
     jitter: Stream,
+    /// Perfect increments that were worked out at once, and the number of the first.
+    ahead: Vec<Increment<f64>>,
+    from: u64,
     sample: u64,
     /// When the last sample's interval really ended, s.
     end_s: f64,
@@ -175,17 +214,31 @@ impl Samples<'_> {
         let perfect = if self.source.jitter_s > 0.0 {
             self.source.perfect(from_s, self.end_s)
         } else {
-            self.source.perfect_sample(self.sample)
+            self.perfect()
         };
         let increment = self.sense(&perfect);
         (perfect, self.arrives().then_some(increment))
+    }
+
+    /// The perfect increment of this sample.
+    fn perfect(&mut self) -> Increment<f64> {
+        if self.source.is_constant() || !self.source.course.is_for_lanes() {
+            return self.source.perfect_sample(self.sample);
+        }
+        let ahead = usize::try_from(self.sample - self.from).ok();
+        if let Some(increment) = ahead.and_then(|place| self.ahead.get(place)) {
+            return *increment;
+        }
+        self.from = self.sample;
+        self.ahead = self.source.perfect_samples(self.sample..self.sample + AT_ONCE);
+        self.ahead[0]
     }
 
     /// What the sensors make of the next sample's perfect increment, which runs may share: a link
     /// that loses or delays samples is not asked.
     pub fn sense(&mut self, perfect: &Increment<f64>) -> Increment<f64> {
         match (&self.source.emulator, &mut self.state) {
-            (Some(emulator), Some(state)) => emulator.emulate(state, perfect),
+            (Some(emulator), Some(state)) => emulate(emulator, state, perfect),
             _ => *perfect,
         }
     }
@@ -199,7 +252,16 @@ impl Samples<'_> {
             self.source.rates(self.sample)
         };
         if let (Some(emulator), Some(state)) = (&self.source.emulator, &mut self.state) {
-            rates = emulator.emulate_rates(state, &rates);
+            let Rates { rate_ib_b, specific_force_b } = emulator.emulate_rates(
+                state,
+                &Rates {
+                    rate_ib_b: rates.rate_ib_b.map(One),
+                    specific_force_b: rates.specific_force_b.map(One),
+                },
+            );
+            let plain = |v: Vector<One>| v.map(|One(x)| x);
+            rates =
+                Rates { rate_ib_b: plain(rate_ib_b), specific_force_b: plain(specific_force_b) };
         }
         self.arrives().then_some(rates)
     }

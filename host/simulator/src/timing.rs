@@ -3,7 +3,7 @@
 use crate::flight::StageTimes;
 use crate::navigator::Navigate;
 use crate::scene::Scene;
-use crate::source::Source;
+use crate::source::{Source, emulate};
 use schuler::sample::Increment;
 use std::hint::black_box;
 use std::time::Instant;
@@ -24,15 +24,13 @@ pub fn stages(scene: &Scene, source: &Source, navigator: &dyn Navigate) -> Stage
 
 /// The first perfect increments.
 pub fn perfect(source: &Source, samples: u64) -> Vec<Increment<f64>> {
-    (1..=samples).map(|n| source.perfect_sample(n)).collect()
+    source.perfect_samples(1..samples + 1)
 }
 
 /// Truth and perfect increments.
 pub fn trajectory(source: &Source, samples: u64) -> f64 {
     per_sample(samples, &mut || {
-        for n in 1..=samples {
-            black_box(source.perfect_sample(n));
-        }
+        black_box(source.perfect_samples(1..samples + 1));
     })
 }
 
@@ -42,7 +40,7 @@ pub fn emulator(source: &Source, samples: &[Increment<f64>]) -> f64 {
     per_sample(samples.len() as u64, &mut || {
         let mut state = emulator.start(0, 0);
         for sample in samples {
-            black_box(emulator.emulate(&mut state, sample));
+            black_box(emulate(emulator, &mut state, sample));
         }
     })
 }

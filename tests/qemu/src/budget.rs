@@ -54,7 +54,7 @@ pub const MEASURES: &[Measure] = &[
     measure("f64 taylor H0B4A0, instructions per sample", Source::Budget("f64, per sample"), Some(55000.0)),
     measure("f64 state, bytes", Source::Budget("f64, state, bytes"), None),
     measure("f64 stack, bytes", Source::Budget("f64, stack, bytes"), None),
-    measure("f32 error terms, instructions per sample", Source::Budget("f32 error terms, per sample"), Some(1500.0)),
+    measure("f32 error terms, instructions per sample", Source::Budget("f32 error terms, per sample"), Some(1000.0)),
     measure("f64 error terms, instructions per sample", Source::Budget("f64 error terms, per sample"), None),
     measure("f64 perfect samples, instructions per sample", Source::Budget("f64 perfect increments, per sample"), None),
     measure("self-test, samples", Source::Selftest("samples"), None),

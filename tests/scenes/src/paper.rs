@@ -3,7 +3,8 @@
 use crate::channel::{channel, harmonic};
 use crate::units::{DEGREE, DEGREE_PER_HOUR, DEGREE_PER_ROOT_HOUR, METRE, MICRO_G};
 use schuler::math::vector::Vector;
-use schuler::noise::{Deviate, Stream, Streams};
+use schuler::noise::random::{Axes, Random};
+use schuler::noise::{Deviate, Streams};
 use schuler::sensor::constant::Constant;
 use schuler::sensor::gauss_markov::{GaussMarkov, GaussMarkovState};
 use schuler::sensor::parameter::ParameterError;
@@ -94,8 +95,8 @@ impl<R: Deviate> From<Accelerometer<R>> for Triad<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for Gyro<R> {
-    type State = (GaussMarkovState<R>, [Stream; 3]);
+impl<R: Random> ErrorTerm<R> for Gyro<R> {
+    type State = (GaussMarkovState<R>, Axes<R>);
 
     fn start(&self, streams: Streams) -> Self::State {
         let gauss_markov = self.gauss_markov.start(streams.branch(GAUSS_MARKOV));
@@ -110,7 +111,7 @@ impl<R: Deviate> ErrorTerm<R> for Gyro<R> {
     }
 }
 
-impl<R: Deviate> ErrorTerm<R> for Accelerometer<R> {
+impl<R: Random> ErrorTerm<R> for Accelerometer<R> {
     type State = GaussMarkovState<R>;
 
     fn start(&self, streams: Streams) -> Self::State {

@@ -32,7 +32,7 @@ fn every_public_type_has_a_format() {
             let name = rest.split(|c: char| !c.is_alphanumeric()).next().unwrap();
             let above = lines[..n].iter().rev().take_while(|line| line.starts_with(['#', '/']));
             let derived = above.into_iter().any(|line| line.contains("defmt::Format"));
-            let by_hand = text.contains(&format!("impl defmt::Format for {name}"));
+            let by_hand = text.contains(&format!("defmt::Format for {name}"));
             assert!(derived || by_hand, "{}: {name}", file.display());
         }
     }

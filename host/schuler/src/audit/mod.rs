@@ -12,6 +12,9 @@
 //! | `pair` | two chains side by side |
 //! | `difference` | two values of a word |
 //! | `compare` | the first difference of two chains |
+//! | `heads` | heads that contradict each other |
+//! | `tolerance` | how far fields may be apart |
+//! | `verdict` | whether they are, in words |
 //! | `sensitivity` | the effect of one unit in the last place |
 //! | `show` | results as tables |
 //! | `page` | results as HTML and JSON |
@@ -22,6 +25,7 @@ pub mod configuration;
 pub mod difference;
 pub mod functions;
 pub mod golden;
+pub mod heads;
 mod label;
 pub mod page;
 pub mod pair;
@@ -30,6 +34,8 @@ mod read;
 pub mod record;
 pub mod sensitivity;
 mod show;
+pub mod tolerance;
+mod verdict;
 
 use crate::cli::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 use chain::Chain;
@@ -138,16 +144,27 @@ fn compare(args: &CompareArgs) -> Result<(), FlightError> {
         let name = a.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         vec![(name, a.clone(), b.clone())]
     };
+    let rules: Vec<_> = args.ulps.iter().chain(&args.within).cloned().collect();
     let mut found = Vec::new();
     for (name, a, b) in &pairs {
         let (a, b) = (a.display().to_string(), b.display().to_string());
         let (one, other) = (Chain::read(&a)?, Chain::read(&b)?);
+        let heads = heads::contradictions(&one, &other);
+        say(&show::heads(&heads))?;
         let (held, parting) = compare::compare(&one, &other, &b)?;
-        let compared = show::Compared { chain: name.clone(), held, parting };
+        let fields = (!rules.is_empty())
+            .then(|| tolerance::judge(&pair::pairs(&one, &other, &b)?.0, &rules, &b));
+        let compared = show::Compared {
+            chain: name.clone(),
+            heads,
+            held,
+            parting,
+            fields: fields.transpose()?,
+        };
         say(&show::compared(&compared, one.get("rate_hz")))?;
         found.push(compared);
     }
-    let parted = found.iter().filter(|compared| compared.parting.is_some()).count();
+    let parted = found.iter().filter(|compared| compared.fails()).count();
     if found.len() > 1 {
         say(&show::first(&found))?;
     }

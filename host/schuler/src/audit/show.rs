@@ -4,10 +4,13 @@ use super::compare::{Growth, Parting};
 use super::difference::Difference;
 use super::functions;
 use super::golden::{Verdict, digest};
+use super::heads::Contradiction;
 use super::page::Table;
 use super::pair::{Common, Partly, Shorter};
 use super::record::Named;
 use super::sensitivity::Effect;
+use super::tolerance::FieldVerdict;
+use super::verdict;
 use schuler_report::axis::printed;
 use schuler_simulator::number::Quantity;
 use schuler_simulator::scene::Scene;
@@ -18,10 +21,37 @@ use serde::Serialize;
 pub struct Compared {
     /// Their name.
     pub chain: String,
+    /// What their heads say against each other.
+    pub heads: Vec<Contradiction>,
     /// What both hold.
     pub held: Common,
     /// Where they part.
     pub parting: Option<Parting>,
+    /// The verdict on every field, where limits are given.
+    pub fields: Option<Vec<FieldVerdict>>,
+}
+
+impl Compared {
+    /// Whether they are further apart than they may be.
+    pub fn fails(&self) -> bool {
+        match &self.fields {
+            Some(fields) => fields.iter().any(|field| field.beyond > 0),
+            None => self.parting.is_some(),
+        }
+    }
+}
+
+/// What heads say against each other, before anything else.
+pub fn heads(heads: &[Contradiction]) -> String {
+    let each = heads.iter().map(|Contradiction { key, values: [a, b] }| {
+        format!("{key} is {a} in the one, {b} in the other")
+    });
+    let all: Vec<_> = each.collect();
+    if all.is_empty() {
+        String::new()
+    } else {
+        format!("the heads contradict each other: {}\n", all.join("; "))
+    }
 }
 
 /// The digests of what was recorded.
@@ -76,10 +106,13 @@ fn same(Common { rows, digests, .. }: &Common) -> String {
 
 /// Two chains compared, in words.
 pub fn compared(compared: &Compared, rate_hz: Option<&str>) -> String {
-    let Compared { chain, held, parting } = compared;
-    let mut text = match parting {
-        None => format!("{chain}: {}\n", same(held)),
-        Some(parting) => {
+    let Compared { chain, held, parting, fields, .. } = compared;
+    let mut text = match (parting, fields) {
+        (None, None) => format!("{chain}: {}\n", same(held)),
+        (_, Some(fields)) => {
+            format!("{chain}: {}\n{}", verdict::near(fields), verdict::table(fields).text())
+        }
+        (Some(parting), None) => {
             let rate_hz = rate_hz.and_then(|text| text.parse().ok());
             format!("{chain}: part\n{}", part(parting, rate_hz))
         }
@@ -122,16 +155,25 @@ pub fn first(found: &[Compared]) -> String {
 
 /// The same for a page.
 pub fn partings(found: &[Compared]) -> Vec<Table> {
-    let heads = ["chain", "rows", "digests", "verdict", "what is not compared"];
-    let mut table = Table::new("Compared", &heads);
+    let mut table = Table::new("Compared", &["chain", "rows", "digests", "verdict", "remarks"]);
     let mut tables = Vec::new();
-    for Compared { chain, held, parting } in found {
-        let verdict = parting.as_ref().map_or("the same bits".to_owned(), place);
+    for Compared { chain, heads: contradicting, held, parting, fields } in found {
+        let verdict = match fields {
+            Some(fields) => verdict::near(fields),
+            None => parting.as_ref().map_or("the same bits".to_owned(), place),
+        };
         let (rows, digests) = (held.rows.to_string(), held.digests.to_string());
-        let remarks = remarks(held).join("; ");
+        let contradicting = heads(contradicting).trim_end().to_owned();
+        let first = (!contradicting.is_empty()).then_some(contradicting);
+        let remarks = first.into_iter().chain(remarks(held)).collect::<Vec<_>>().join("; ");
         table.rows.push(vec![chain.clone(), rows, digests, verdict, remarks]);
         tables.extend(parting.as_ref().map(|parting| {
             let mut table = growth(&parting.growth);
+            table.title = format!("{chain}: {}", table.title);
+            table
+        }));
+        tables.extend(fields.as_ref().map(|fields| {
+            let mut table = verdict::table(fields);
             table.title = format!("{chain}: {}", table.title);
             table
         }));

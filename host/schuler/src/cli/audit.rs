@@ -1,6 +1,7 @@
 //! The commands of `schuler audit`.
 
 use super::{FlightOptions, Handling, NavigatorOptions, load, options};
+use crate::audit::tolerance::Rule;
 use clap::{Args, Subcommand};
 use schuler_simulator::input::InputError;
 use schuler_simulator::scene::Scene;
@@ -59,12 +60,20 @@ pub struct VerifyArgs {
 
 /// Options of `audit compare`.
 #[derive(Args, Clone, Debug, PartialEq)]
-#[command(after_help = "Example:\n  schuler audit compare tests/golden/paper mine/paper")]
+#[command(after_help = "Examples:\n  \
+    schuler audit compare tests/golden/paper mine/paper\n  \
+    schuler audit compare golden.chain mine.chain --ulps 4 --within velocity=1e-9")]
 pub struct CompareArgs {
     /// A chain, or a folder of chains
     pub a: PathBuf,
     /// Another
     pub b: PathBuf,
+    /// Let every field be off by so many units in the last place, or one field; may be repeated
+    #[arg(long, value_name = "[FIELD=]N", value_parser = Rule::ulps)]
+    pub ulps: Vec<Rule>,
+    /// The same in the field's unit; of a field with both limits one is enough
+    #[arg(long, value_name = "[FIELD=]M", allow_negative_numbers = true, value_parser = Rule::within)]
+    pub within: Vec<Rule>,
     /// Folder for audit.json and audit.html
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -1,7 +1,7 @@
 //! Options of `emulate`.
 
-use super::FlightOptions;
 use super::apart::{self, Written};
+use super::{FlightOptions, options};
 use clap::Args;
 use schuler_simulator::input::InputError;
 use schuler_simulator::scene::{self, Scene, builtin};
@@ -23,6 +23,9 @@ pub struct EmulateArgs {
     /// Write ROS 2 messages, too: /imu (means over each sample) and /truth (NavSatFix, PoseStamped)
     #[arg(long, value_name = "FILE")]
     pub mcap: Option<PathBuf>,
+    /// The stream and the start of the run of this number, as an ensemble has them
+    #[arg(long = "run", value_name = "N", default_value = "0", allow_negative_numbers = true, value_parser = options::run)]
+    pub number: u64,
     /// Without the scene's sensor errors
     #[arg(long)]
     pub perfect: bool,

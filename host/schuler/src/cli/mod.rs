@@ -4,6 +4,7 @@ mod allan;
 mod apart;
 mod audit;
 mod emulate;
+mod ensemble;
 mod hil;
 mod options;
 mod replay;
@@ -14,6 +15,7 @@ pub use crate::report::every::Every;
 pub use allan::{AllanArgs, DatasheetArgs, Span};
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use emulate::EmulateArgs;
+pub use ensemble::{EnsembleArgs, EnsembleCommand, MergeArgs, Shard, Times};
 pub use hil::HilArgs;
 pub use options::{FlightOptions, Handling, NavigatorOptions, Window};
 pub use replay::{Height, Lag, ReplayArgs};
@@ -24,7 +26,7 @@ use crate::report::files::NAMES as FLIGHT_FILES;
 use apart::Written;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use schuler_simulator::input::InputError;
-use schuler_simulator::scene::{self, Scene, Vertical, builtin};
+use schuler_simulator::scene::{self, Scene, builtin};
 use std::path::{Path, PathBuf};
 
 const ABOUT: &str = "Flies a strapdown inertial navigation system through a scene: \
@@ -65,7 +67,7 @@ pub enum Command {
     /// Run the table of numerical stability, each row against its bound
     Stress(StressArgs),
     /// Fly many runs of a scene: does their drift scatter as theory says?
-    Ensemble(EnsembleArgs),
+    Ensemble(Box<EnsembleArgs>),
     /// Identify a sensor at rest by its Allan deviation, or check a scene's terms against it
     Allan(AllanArgs),
     /// Turn the numbers of a data sheet into a scene's sensor sections
@@ -102,6 +104,9 @@ pub struct RunArgs {
     /// The vertical channel and missing samples.
     #[command(flatten)]
     pub handling: Handling,
+    /// Fly the run of this number, as an ensemble has it
+    #[arg(long = "run", value_name = "N", default_value = "0", allow_negative_numbers = true, value_parser = options::run)]
+    pub number: u64,
     /// Skip nothing, even what the scene does not need
     #[arg(long)]
     pub force_all: bool,
@@ -192,37 +197,6 @@ pub struct StressArgs {
     /// Folder for stress.csv
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-}
-
-/// Options of `ensemble`.
-#[derive(Args, Clone, Debug, PartialEq)]
-#[command(after_help = "Example:\n  schuler ensemble paper --runs 1000")]
-pub struct EnsembleArgs {
-    /// A built-in scene with random errors, or the path of a TOML file [default: paper]
-    pub scene: Option<String>,
-    /// How many runs to fly, numbered from 0: what `run` flies is the first
-    #[arg(long, value_name = "N", default_value = "64", allow_negative_numbers = true, value_parser = options::runs)]
-    pub runs: u64,
-    /// Folder for ensemble.csv and ensemble.json [default: out/ and the name of the scene]
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// What replaces the scene's own values.
-    #[command(flatten)]
-    pub flight: FlightOptions,
-    /// How to navigate.
-    #[command(flatten)]
-    pub navigator: NavigatorOptions,
-    /// The vertical channel: free, or held to the truth's height
-    #[arg(long, value_name = "V", value_parser = options::named(Vertical::NAMES))]
-    pub vertical: Option<Vertical>,
-}
-
-impl EnsembleArgs {
-    /// The scene, with every option applied.
-    pub fn scene(&self) -> Result<Scene, InputError> {
-        let handling = Handling { vertical: self.vertical, gap: None };
-        load(self.scene.as_deref(), &self.flight, &self.navigator, &handling)
-    }
 }
 
 /// A scene that is to be flown, with options applied.

@@ -133,13 +133,19 @@ fn seed(text: &str) -> Result<u64, Complaint> {
     text.parse().map_err(|_| Complaint::new("is not a seed", accepted))
 }
 
-/// Runs of an ensemble: enough for a spread, and few enough for their states to stay in memory.
-const RUNS: std::ops::RangeInclusive<u64> = 4..=100_000;
+/// Runs of an ensemble: enough for a spread, and few enough for what is kept of them to stay in memory.
+const RUNS: std::ops::RangeInclusive<u64> = 4..=10_000_000;
 
 pub(super) fn runs(text: &str) -> Result<u64, Complaint> {
     let accepted = format!("an integer from {} to {}", RUNS.start(), RUNS.end());
     let runs = text.parse().ok().filter(|runs| RUNS.contains(runs));
     runs.ok_or_else(|| Complaint::new("is not a number of runs", accepted))
+}
+
+/// The number of a run.
+pub(super) fn run(text: &str) -> Result<u64, Complaint> {
+    let accepted = format!("an integer from 0 to {}", u64::MAX);
+    text.parse().map_err(|_| Complaint::new("is not the number of a run", accepted))
 }
 
 pub(super) fn duration_s(text: &str) -> Result<f64, Complaint> {

@@ -6,7 +6,7 @@ use schuler_simulator::scene::{Algorithm, Link, Scene, SensorErrors};
 
 /// The keys of what is drawn from the seed.
 const RANDOM: &str = "a scene with gauss_markov, turn_on_bias, angle_random_walk, velocity_random_walk, \
-    rate_random_walk, acceleration_random_walk or bias_instability";
+    rate_random_walk, acceleration_random_walk or bias_instability, or a σ in [initial_error]";
 
 /// Refuses what lanes do not fly, and what theory does not speak of.
 pub fn check(scene: &Scene) -> Result<(), InputError> {
@@ -21,7 +21,8 @@ pub fn check(scene: &Scene) -> Result<(), InputError> {
         let what = "theory knows of no samples lost or late";
         return refuse("link", what, "loss = 0 and jitter_s = 0");
     }
-    if !is_random(&scene.gyro) && !is_random(&scene.accelerometer) {
+    let sensors = is_random(&scene.gyro) || is_random(&scene.accelerometer);
+    if !sensors && !scene.initial_error.is_random() {
         let what = format!("{} has no random errors, so every run would be the same", scene.name);
         return refuse("scene", &what, RANDOM);
     }

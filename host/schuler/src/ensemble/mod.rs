@@ -1,120 +1,137 @@
 //! `schuler ensemble`: many runs of a scene, whose drift is compared with theory.
 //!
-//! Runs differ in their random numbers: turn-on biases, Gauss-Markov processes, noise. All fly
+//! Runs differ in their random numbers: initial errors, turn-on biases, Gauss-Markov processes, noise. All fly
 //! the same motion, whose truth and perfect increments are computed once.
+//!
+//! | file | what |
+//! |---|---|
+//! | `check` | what can be flown as an ensemble |
+//! | [`flying`], [`merge`] | the runs of the whole, of a shard, of what was stopped; shards put together |
+//! | [`values`], [`order`], [`spread`] | the runs at an instant; quantiles; mean, covariance, extremes |
+//! | [`circular`], [`accuracy`] | CEP and vertical error, of normal distributions and of runs |
+//! | [`statistics`], [`consistency`], [`rounding`] | χ² of mean and spread, NEES; where rounding matters |
+//! | [`findings`], [`sentences`] | all of it, and what parts from theory in words |
+//! | [`conclusion`] | findings, files, tables, verdict |
+//! | [`table`], [`figures`], [`csv`], [`summary`], [`files`] | how it is told |
+//! | [`page`], [`charts`] | the page, and its charts |
+//! | [`pace`] | what navigation costs |
 
+pub mod accuracy;
+pub mod charts;
 mod check;
+pub mod circular;
+pub mod conclusion;
+pub mod consistency;
 pub mod csv;
+pub mod figures;
+pub mod files;
+pub mod findings;
+pub mod flying;
+pub mod merge;
+pub mod order;
 pub mod pace;
+pub mod page;
 pub mod rounding;
+pub mod sentences;
+pub mod spread;
 pub mod statistics;
 pub mod summary;
 pub mod table;
+pub mod values;
 
 pub use check::check;
 
-use crate::cli::EnsembleArgs;
+use crate::cli::{EnsembleArgs, EnsembleCommand, Shard, Times};
+use conclusion::{Conclusion, threads};
+use flying::{Begun, Flown};
+use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::{Ground, Unit};
+use schuler_simulator::ensemble::instants;
+use schuler_simulator::ensemble::part::header::Header;
 use schuler_simulator::lanes::Registers;
-use schuler_simulator::number::{parameter, rounded, short};
-use schuler_simulator::output::{self, OutputFile, say};
-use schuler_simulator::progress::Progress;
+use schuler_simulator::number::{rounded, short};
+use schuler_simulator::output::say;
+use schuler_simulator::scene::Scene;
 use schuler_simulator::simulate::FlightError;
-use schuler_simulator::source::{Source, SourceError};
-use schuler_simulator::theory::Theory;
-use statistics::Verdict;
-use std::num::NonZero;
-use std::path::PathBuf;
-use std::thread;
-use std::time::{Duration, Instant};
-use summary::Outcome;
+use schuler_simulator::source::Source;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
-/// At how many times the drift is compared.
-const INSTANTS: u64 = 8;
-
-/// Flies, prints the comparison and writes `ensemble.csv` and `ensemble.json`.
+/// Flies an ensemble or a shard of one, or puts shards together.
 pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
+    if let Some(EnsembleCommand::Merge(merge)) = &args.command {
+        return merge::merge(merge);
+    }
     let scene = args.scene()?;
     check(&scene)?;
-    let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
+    let folder = folder(args.out.as_deref(), &scene);
     let source = Source::new(&scene, false)?;
-    let theory = Theory::new(&scene).map_err(SourceError::Trajectory)?;
-    let mut theory = theory.for_runs(args.runs);
     let ground = Ground::new(&scene, &source);
-    let unit = ground.widest(args.runs);
+    let stops = stops(&ground, &args.at);
+    let Shard(shard) = args.shard.unwrap_or(Shard([1, 1]));
+    let header = Header::new(&ground, args.whole(), args.runs, shard, &stops);
+    let path = flying::part(&folder, args.shard);
+    let begun = Begun::new(args, path.clone(), header)?;
+    let left = begun.left();
+    let runs = left.end - left.start;
+    let unit = ground.widest(runs);
+    let threads = threads(args.threads, unit, runs);
+    let means = Means { unit, threads, stops: &stops, batch: args.batch };
     // A scene that cannot start, or a file that cannot be written, is found before the long work.
     ground.start(Unit::Alone, 0..1)?;
-    let names = [csv::NAME, summary::NAME];
-    let [table, summary] = names.map(|name| OutputFile::create(directory.join(name)));
-    let (mut table, mut summary) = (table?, summary?);
-
-    let groups = args.runs.div_ceil(unit.runs() as u64);
-    let cores = thread::available_parallelism().map_or(1, NonZero::get);
-    let threads = cores.min(usize::try_from(groups).unwrap_or(usize::MAX));
-    let progress = Progress::new(scene.samples() * args.runs);
-    let begin = Instant::now();
-    let flown = schuler_simulator::ensemble::fleet::fly(
-        &ground,
-        args.runs,
-        unit,
-        threads,
-        INSTANTS,
-        &|samples| {
-            // The bar moves at whole blocks of samples only.
-            progress.reach(samples * args.runs / 4096 * 4096);
-        },
-    )?;
-    let took = begin.elapsed();
-    progress.finish();
-
-    let ended = args.runs - flown.failed.len() as u64;
-    // Of a single run there is no spread.
-    let readings = if ended > 1 { flown.readings.as_slice() } else { &[] };
-    let mut comparisons =
-        statistics::compare(readings, |sample| source.time_s(sample), &mut theory);
-    let rounding = rounding::rounding(&ground, readings, threads, INSTANTS)?;
-    let left_out = rounding::leave_out(&mut comparisons, &rounding, ended);
-    let verdict = Verdict::new(&comparisons);
-    table.put(csv::bytes(&comparisons))?;
-    let outcome = Outcome {
-        scene: &scene,
-        window: ground.plan.window,
-        runs: [args.runs, flown.failed.len() as u64],
-        saturated: flown.saturated,
-        verdict: &verdict,
-        left_out,
+    if args.shard.is_some() {
+        let Flown { kept, now: (flown, took) } = begun.fly(&ground, means)?;
+        return say(&shard_text(&path, shard, &kept, [flown, args.runs], took)).map_err(Into::into);
+    }
+    let conclusion = Conclusion {
+        ground: &ground,
+        whole: args,
+        means,
+        keep: args.keep,
+        budget: args.budget,
+        folder,
     };
-    summary.put(summary::json(&outcome, &names))?;
-    output::place(vec![table, summary], &[])?;
-    let outside = statistics::outside(readings, |sample| source.time_s(sample), &mut theory);
-    let mut text = table::table(&comparisons, ended);
-    if let Some((time_s, outside)) = outside {
-        let time_s = parameter(time_s);
-        text += &format!("not comparable at {time_s} s: the linear model ends where {outside}\n");
+    let files = conclusion.files()?;
+    let Flown { kept, now: (flown, took) } = begun.fly(&ground, means)?;
+    let note = match flown {
+        0 => String::new(),
+        _ => speed(flown, took, unit, means.threads, pace::navigation_ns(&ground, unit)?),
+    };
+    conclusion.conclude(files, kept, note, &[path])
+}
+
+/// Where the files go.
+fn folder(out: Option<&Path>, scene: &Scene) -> PathBuf {
+    out.map_or_else(|| PathBuf::from("out").join(&scene.name), Path::to_owned)
+}
+
+/// How many samples are taken at each reading.
+fn stops(ground: &Ground, times: &Times) -> Vec<u64> {
+    match times {
+        Times::Equal(count) => instants::equal(ground, *count),
+        Times::Seconds(times_s) => instants::at(ground, times_s),
     }
-    if left_out > 0 {
-        let (precision, all) = (scene.navigator.precision.name(), comparisons.len());
-        text += &format!(
-            "not compared: {left_out} of {all}, where rounding in {precision} is above a third of the mean's \
-             standard error\n"
-        );
-    }
-    text += &table::failures(&flown.failed, scene.seed, args.runs, |sample| source.time_s(sample));
-    if flown.saturated > 0 {
-        let samples = flown.saturated;
-        text +=
-            &format!("a sensor was at its limit in {samples} samples, which theory leaves out\n");
-    }
-    text += &speed(args.runs, took, unit, threads, pace::navigation_ns(&ground, unit)?);
-    text += &format!("written to {}\n", directory.display());
-    say(&text)?;
-    match verdict {
-        _ if !flown.failed.is_empty() => {
-            Err(FlightError::Runs { failed: flown.failed.len(), runs: args.runs })
-        }
-        Verdict { failed: 0, .. } => Ok(()),
-        Verdict { failed, tests, .. } => Err(FlightError::Failed { failed, checks: tests }),
-    }
+}
+
+/// What a shard is, and how to go on.
+fn shard_text(
+    path: &Path,
+    [k, n]: [u64; 2],
+    kept: &schuler_simulator::ensemble::kept::Kept,
+    [flown, runs]: [u64; 2],
+    took: Duration,
+) -> String {
+    let (first, last) = (kept.runs.start, kept.runs.end.saturating_sub(1));
+    let path = path.display();
+    let failed = match kept.flown.failed.len() {
+        0 => String::new(),
+        failed => format!(", of which {failed} did not reach their end"),
+    };
+    let seconds = rounded(took.as_secs_f64(), 3);
+    format!(
+        "shard {k} of {n}: runs {first} to {last} of {runs}{failed}; {flown} flown now, in {seconds} s\n\
+         written to {path}\n`schuler ensemble merge` makes the whole of all {n}\n"
+    )
 }
 
 /// What it took, and what flying side by side is worth.

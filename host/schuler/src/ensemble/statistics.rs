@@ -75,7 +75,7 @@ impl Comparison {
 }
 
 /// How much of χ² lies below and above a value; NaN of what is no number.
-fn tails(freedom: f64, chi_square: f64) -> (f64, f64) {
+pub(super) fn tails(freedom: f64, chi_square: f64) -> (f64, f64) {
     match ChiSquared::new(freedom) {
         Ok(law) if chi_square.is_finite() => (law.cdf(chi_square), law.sf(chi_square)),
         _ => (f64::NAN, f64::NAN),
@@ -137,21 +137,29 @@ pub struct Verdict {
 impl Verdict {
     /// Of all comparisons. What is no number fails.
     pub fn new(comparisons: &[Comparison]) -> Self {
-        let all: Vec<_> = comparisons
-            .iter()
-            .enumerate()
-            .flat_map(|(place, comparison)| {
-                let tests = comparison.tests.into_iter().flatten().enumerate();
-                tests.map(move |(which, test)| (place, which, test.probability))
-            })
-            .collect();
-        let level = RISK / all.len() as f64;
-        let passes = |probability: f64| probability >= level;
+        Self::of(comparisons.iter().enumerate().flat_map(|(place, comparison)| {
+            let tests = comparison.tests.into_iter().flatten().enumerate();
+            tests.map(move |(which, test)| (place, which, test.probability))
+        }))
+    }
+
+    /// Of tests, each with its place, which of several it is there, and its probability.
+    pub fn of(tests: impl Iterator<Item = (usize, usize, f64)>) -> Self {
+        let all: Vec<_> = tests.collect();
         let rank = |probability: f64| if probability.is_nan() { -1.0 } else { probability };
-        Self {
-            tests: all.len(),
-            failed: all.iter().filter(|(.., probability)| !passes(*probability)).count(),
-            worst: all.iter().copied().min_by(|a, b| rank(a.2).total_cmp(&rank(b.2))),
-        }
+        let mut verdict = Self { tests: all.len(), failed: 0, worst: None };
+        verdict.failed = all.iter().filter(|(.., probability)| verdict.fails(*probability)).count();
+        verdict.worst = all.iter().copied().min_by(|a, b| rank(a.2).total_cmp(&rank(b.2)));
+        verdict
+    }
+
+    /// The probability below which one of the tests fails.
+    pub fn level(&self) -> f64 {
+        RISK / self.tests as f64
+    }
+
+    /// Whether a test of this probability fails. What is no number does.
+    pub fn fails(&self, probability: f64) -> bool {
+        probability.is_nan() || probability < self.level()
     }
 }

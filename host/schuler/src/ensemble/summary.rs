@@ -1,5 +1,7 @@
 //! `ensemble.json`: an ensemble in numbers, for programs.
 
+use super::accuracy::Accuracy;
+use super::findings::Findings;
 use super::statistics::Verdict;
 use crate::report::head::{Head, Navigated};
 use crate::report::summary;
@@ -25,6 +27,10 @@ struct Summary<'a> {
     navigated: Navigated,
     saturated: u64,
     tests: Tests,
+    consistency_tests: ConsistencyTests,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    r#final: Option<Final>,
+    verdict: &'a [String],
 }
 
 /// χ² tests against theory.
@@ -35,28 +41,69 @@ struct Tests {
     left_out: usize,
 }
 
+/// Tests of states together.
+#[derive(Serialize)]
+struct ConsistencyTests {
+    done: usize,
+    failed: usize,
+}
+
+/// Circular and vertical error at the end; null where theory has ended.
+#[derive(Serialize)]
+struct Final {
+    time_s: f64,
+    cep50_m: f64,
+    cep95_m: f64,
+    vertical95_m: f64,
+    cep50_nmi_h: f64,
+    cep50_theory_m: Option<f64>,
+    cep95_theory_m: Option<f64>,
+    vertical95_theory_m: Option<f64>,
+}
+
+impl Final {
+    fn new(accuracy: &Accuracy) -> Self {
+        let Accuracy { time_s, cep50, cep95, vertical95 } = accuracy;
+        let known = |x: f64| (!x.is_nan()).then_some(x);
+        Self {
+            time_s: *time_s,
+            cep50_m: cep50.runs.value,
+            cep95_m: cep95.runs.value,
+            vertical95_m: vertical95.runs.value,
+            cep50_nmi_h: accuracy.nmi_h(cep50.runs.value),
+            cep50_theory_m: known(cep50.theory),
+            cep95_theory_m: known(cep95.theory),
+            vertical95_theory_m: known(vertical95.theory),
+        }
+    }
+}
+
 /// What came of an ensemble.
 pub struct Outcome<'a> {
     /// What was flown.
     pub scene: &'a Scene,
+    /// The command that flies it, an argument each, after the program's name.
+    pub command: &'a [String],
     /// The window.
     pub window: WindowShape,
     /// Runs in all, and those that did not reach their end.
     pub runs: [u64; 2],
     /// Samples in which a sensor was at its limit.
     pub saturated: u64,
-    /// The tests.
-    pub verdict: &'a Verdict,
-    /// Comparisons without tests, because rounding matters.
-    pub left_out: usize,
+    /// What was found out.
+    pub findings: &'a Findings,
+    /// The same in sentences.
+    pub sentences: &'a [String],
 }
 
 /// The summary as JSON, which names the files that belong together.
 pub fn json(outcome: &Outcome, files: &[&str]) -> String {
-    let Outcome { scene, window, runs: [runs, failed_runs], saturated, verdict, left_out } =
-        *outcome;
+    let Outcome { scene, command, window, runs, saturated, findings, sentences } = *outcome;
+    let [runs, failed_runs] = runs;
+    let Findings { verdict, together, left_out, .. } = findings;
+    let Verdict { tests, failed, .. } = *verdict;
     summary::text(&Summary {
-        head: Head::new("ensemble", files),
+        head: Head::of_command("ensemble", files, command),
         scene: &scene.name,
         scene_sha256: &scene.text_sha256,
         runs,
@@ -67,6 +114,9 @@ pub fn json(outcome: &Outcome, files: &[&str]) -> String {
         seed: scene.seed,
         navigated: Navigated::new(&scene.navigator, Some(window)),
         saturated,
-        tests: Tests { done: verdict.tests, failed: verdict.failed, left_out },
+        tests: Tests { done: tests, failed, left_out: *left_out },
+        consistency_tests: ConsistencyTests { done: together.tests, failed: together.failed },
+        r#final: findings.instants.last().map(|at| Final::new(&at.accuracy)),
+        verdict: sentences,
     })
 }

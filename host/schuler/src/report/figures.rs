@@ -3,6 +3,7 @@
 use super::{drift_charts, motion_charts};
 use schuler_report::chart::Chart;
 use schuler_report::grid::Frame;
+use schuler_report::scatter;
 use schuler_report::svg::{Svg, escape};
 use schuler_simulator::flight::Instant;
 
@@ -39,12 +40,26 @@ pub fn motion(instants: &[Instant]) -> String {
     format!("<div class=\"charts\">\n{track}{height}{attitude}</div>\n")
 }
 
-fn figure(chart: Chart, (width, height): (f32, f32), class: &str) -> String {
+/// A chart of a size, in an element of a class.
+pub fn figure(chart: Chart, size: (f32, f32), class: &str) -> String {
+    figure_with(chart, &[], size, class)
+}
+
+/// The same with dots under its curves.
+pub fn figure_with(
+    chart: Chart,
+    dots: &[[f64; 2]],
+    (width, height): (f32, f32),
+    class: &str,
+) -> String {
     let frame = Frame { left: 0.0, top: 0.0, width, height };
     let chart = chart.fitted(frame);
     let inner = chart.inner(frame);
     let mut svg = Svg::default();
-    chart.draw(&mut svg, frame);
+    match dots {
+        [] => chart.draw(&mut svg, frame),
+        dots => scatter::draw(&chart, dots, &mut svg, frame),
+    }
     let attributes = format!(
         "role=\"img\" aria-label=\"{}\" data-box=\"{} {} {} {}\" data-range=\"{} {} {} {}\" data-x=\"{}\"{}",
         escape(&chart.title),

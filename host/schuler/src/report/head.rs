@@ -27,9 +27,14 @@ impl<'a> Head<'a> {
     pub fn new(kind: &'a str, files: &'a [&'a str]) -> Self {
         let arguments = std::env::args_os().skip(1);
         let arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
-        let command = std::iter::once("schuler".to_owned()).chain(arguments).collect();
+        Self::of_command(kind, files, &arguments.collect::<Vec<_>>())
+    }
+
+    /// The same of another command than the program's own: an argument each, after the program's name.
+    pub fn of_command(kind: &'a str, files: &'a [&'a str], arguments: &[String]) -> Self {
+        let command = std::iter::once("schuler".to_owned()).chain(arguments.iter().cloned());
         let version = env!("CARGO_PKG_VERSION");
-        Self { schema_version: SCHEMA_VERSION, kind, version, command, files }
+        Self { schema_version: SCHEMA_VERSION, kind, version, command: command.collect(), files }
     }
 }
 

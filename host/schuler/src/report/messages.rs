@@ -20,16 +20,17 @@ pub struct Messages<'a> {
 }
 
 impl<'a> Messages<'a> {
-    /// To be at a path. All samples are written, and the states that are wanted.
+    /// Of the run of a number, to be at a path. All samples are written, and the states that are wanted.
     pub fn create(
         path: &Path,
         source: &'a Source,
+        run: u64,
         every: Option<Every>,
     ) -> Result<Self, InputError> {
         Ok(Self {
             writer: McapWriter::create(path)?,
             interval_s: 1.0 / source.rate_hz(),
-            samples: source.start(0),
+            samples: source.start(run),
             kept: Thinned::new(every, 0.0),
             is_begun: false,
         })

@@ -164,6 +164,15 @@ pub fn navigation(scene: &Scene) -> Rows {
             rows.push(row(name, axes(values, unit, symbol)));
         }
     }
+    for (name, values, unit, symbol) in [
+        ("start drawn with σ, position", &start.position_sigma_m, 1.0, "m"),
+        ("start drawn with σ, velocity", &start.velocity_sigma_m_s, 1.0, "m/s"),
+        ("start drawn with σ, attitude", &start.attitude_sigma_rad, units::ARCSECOND, "arcsec"),
+    ] {
+        if *values != [0.0; 3] {
+            rows.push(row(name, axes(values, unit, symbol)));
+        }
+    }
     rows
 }
 

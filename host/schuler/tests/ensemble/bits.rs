@@ -36,10 +36,15 @@ fn alone(scene: &Scene, run: u64) -> Vec<Drift> {
     let source = Source::new(scene, false).unwrap();
     let ground = Ground::new(scene, &source);
     let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
-    let mut navigator =
-        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial)
-            .unwrap();
-    let mut drifts = vec![drift(&ground.initial, &source.truth(0))];
+    let mut navigator = navigator::start(
+        &scene.navigator,
+        plan.window,
+        plan.order,
+        interval_s,
+        &ground.initial(run),
+    )
+    .unwrap();
+    let mut drifts = vec![drift(&ground.initial(run), &source.truth(0))];
     let mut read = |n: u64, row: &_| {
         assert_eq!(n, drifts.len() as u64);
         drifts.push(drift(row, &source.truth(n)));
@@ -85,9 +90,14 @@ fn held_alone(scene: &Scene, run: u64) -> HashMap<u64, [u64; 9]> {
     let source = Source::new(scene, false).unwrap();
     let ground = Ground::new(scene, &source);
     let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
-    let mut navigator =
-        navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &ground.initial)
-            .unwrap();
+    let mut navigator = navigator::start(
+        &scene.navigator,
+        plan.window,
+        plan.order,
+        interval_s,
+        &ground.initial(run),
+    )
+    .unwrap();
     let mut ends = HashMap::new();
     let mut stream = source.start(run);
     for _ in 0..scene.samples() {
@@ -222,5 +232,25 @@ fn saturated_samples_are_counted_over_all_runs() {
     for &unit in Unit::ALL {
         // Gravity alone is beyond it.
         assert_eq!(fly(&scene, unit, 2).unwrap().saturated, 200 * RUNS, "{unit:?}");
+    }
+}
+
+#[test]
+fn saturated_samples_of_runs_that_fail_are_counted_alike_in_every_unit() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("turns.toml");
+    // Gravity alone is beyond the limit, in every sample.
+    let text =
+        super::TURNS.replace("[navigator]", "[accelerometer]\nsaturation_g = 0.1\n[navigator]");
+    std::fs::write(&file, text).unwrap();
+    let scene = scene::load(file.to_str().unwrap()).unwrap();
+    let source = Source::new(&scene, false).unwrap();
+    let ground = Ground::new(&scene, &source);
+    for &unit in Unit::ALL {
+        let flown = fleet::fly(&ground, 37, unit, 2, 3, &|_| {}).unwrap();
+        let failed = flown.failed.len() as u64;
+        assert!(failed > 1, "{unit:?}");
+        let taken: u64 = flown.failed.iter().map(|failure| failure.sample).sum();
+        assert_eq!(flown.saturated, (37 - failed) * scene.samples() + taken, "{unit:?}");
     }
 }

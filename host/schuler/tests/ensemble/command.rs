@@ -12,7 +12,8 @@ fn ensemble(folder: &Path, arguments: &str) -> Output {
 }
 
 const COLUMNS: &str = "time_s,component,mean,mean_theory,sigma,sigma_theory,\
-    mean_chi_square,mean_probability,sigma_chi_square,sigma_probability";
+    mean_chi_square,mean_probability,sigma_chi_square,sigma_probability,\
+    least,least_run,p2_5,p25,p50,p75,p97_5,greatest,greatest_run";
 
 #[test]
 fn a_small_ensemble_prints_its_table_and_writes_its_file() {
@@ -26,6 +27,11 @@ fn a_small_ensemble_prints_its_table_and_writes_its_file() {
         "down_m_s ",
         "Standard deviation over theory's",
         "The ensemble agrees with theory at 99.9 %: 144 tests",
+        "States together agree with it at 99.9 %: ",
+        "With 10 runs, a standard deviation that is off by ",
+        "Error about the truth, m, that half or 95 % of the runs keep",
+        "What the error at 120 s is made of",
+        "gyro Gauss-Markov bias",
         "10 runs in ",
         if abreast { " side by side on each of " } else { " one at a time on each of " },
         if abreast { "ns per sample and run abreast, " } else { "ns per sample and run\n" },
@@ -83,8 +89,8 @@ fn what_cannot_be_is_told_before_the_work_begins() {
         ("late.toml", ["link: ", "jitter_s = 0"]),
         ("--algorithm textbook", ["algorithm", "accepted: taylor"]),
         ("--window 1,1,1", ["--window", "2,4,2"]),
-        ("--runs 3", ["--runs", "an integer from 4 to 100000"]),
-        ("--runs 100001", ["--runs", "is not a number of runs"]),
+        ("--runs 3", ["--runs", "an integer from 4 to 10000000"]),
+        ("--runs 10000001", ["--runs", "is not a number of runs"]),
         ("--runs many", ["--runs", "is not a number of runs"]),
         ("nowhere", ["nowhere: there is no such scene", "paper"]),
         ("--out taken", ["taken", "cannot be written"]),
@@ -182,8 +188,14 @@ fn an_ensemble_that_does_not_follow_theory_fails() {
     let (text, said) = [&done.stdout, &done.stderr].map(|x| String::from_utf8_lossy(x)).into();
     assert_eq!(done.status.code(), Some(1), "{said}");
     assert!(text.contains("does not agree with theory") && text.contains("written to"), "{text}");
-    // Of 144, less those of the vertical, which a level vehicle's tilt moves by its square alone.
-    assert!(said.contains(" of 120 checks failed"), "{said}");
+    // Of 144, less those of the vertical, which a level vehicle's tilt moves by its square alone; and four of states
+    // together at each of eight times.
+    assert!(said.contains(" of 152 checks failed"), "{said}");
+    assert!(text.contains("States together do not agree with it at 99.9 %: "), "{text}");
+    assert!(
+        text.contains("\nThe standard deviation of ") || text.contains("\nThe mean of "),
+        "{text}"
+    );
     assert!(folder.path().join("out/limited/ensemble.csv").is_file());
 }
 
@@ -204,4 +216,35 @@ fn what_theory_does_not_know_is_not_comparable() {
         assert_eq!(done.status.code(), Some(0), "{text}");
         assert!(text.contains("not comparable") && text.contains(words), "{text}");
     }
+}
+
+#[test]
+fn a_run_of_an_ensemble_is_flown_again_by_its_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "duration_s = 30\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\nroll_deg = 3\n\
+        [gyro]\nangle_random_walk_deg_sqrt_h = 0.1\n\
+        [initial_error]\neast_m_sigma = 7\nattitude_north_arcsec_sigma = 60\n";
+    fs::write(folder.path().join("drawn.toml"), scene).unwrap();
+    let done = ensemble(folder.path(), "drawn.toml --runs 9 --keep --out o");
+    assert_eq!(done.status.code(), Some(0), "{done:?}");
+    let runs = fs::read_to_string(folder.path().join("o/runs.csv")).unwrap();
+    for number in [0, 5, 8] {
+        let mut run = Command::new(env!("CARGO_BIN_EXE_schuler"));
+        let line = format!("run drawn.toml --run {number} --no-report --out r{number}");
+        run.current_dir(folder.path()).args(line.split_whitespace());
+        assert!(run.output().unwrap().status.success(), "{line}");
+        let drift = fs::read_to_string(folder.path().join(format!("r{number}/drift.csv"))).unwrap();
+        let last: Vec<_> = drift.lines().last().unwrap().split(',').take(10).collect();
+        let kept = format!("{number},{}", last.join(","));
+        assert!(runs.lines().any(|row| row == kept), "{kept}");
+    }
+    // Without a number it is the first.
+    let mut run = Command::new(env!("CARGO_BIN_EXE_schuler"));
+    let line = "run drawn.toml --no-report --out again";
+    run.current_dir(folder.path()).args(line.split_whitespace());
+    assert!(run.output().unwrap().status.success());
+    let [first, again] = ["r0", "again"]
+        .map(|name| fs::read_to_string(folder.path().join(name).join("drift.csv")).unwrap());
+    assert_eq!(first, again);
+    assert_ne!(first, fs::read_to_string(folder.path().join("r5/drift.csv")).unwrap());
 }

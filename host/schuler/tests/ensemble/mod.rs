@@ -1,7 +1,13 @@
 //! `schuler ensemble`: its runs are those flown alone, its statistics are right, its errors clear.
 
 mod bits;
+mod budget;
 mod command;
+mod damaged;
+mod detection;
+mod numbers;
+mod shards;
+mod start;
 mod statistics;
 
 use schuler_simulator::scene::{Scene, builtin};

@@ -136,6 +136,31 @@ fn initial_error_in_north_east_down() {
     close(error.attitude_rad[0], 1.7453292519943296e-2);
     close(error.attitude_rad[1], -3.4906585039886592e-2);
     close(error.attitude_rad[2], 5.2359877559829887e-2);
+    assert!(!error.is_random());
+}
+
+#[test]
+fn sigma_of_the_initial_error_in_north_east_down() {
+    let text = "[initial_error]\nnorth_m = 1\nnorth_m_sigma = 2\neast_m_sigma = 3\ndown_m_sigma = 4\n\
+        north_m_s_sigma = 5\neast_m_s_sigma = 6\ndown_m_s_sigma = 7\n\
+        attitude_north_arcsec_sigma = 3600\nattitude_down_arcsec_sigma = 10800\n";
+    let error = scene(text).expect("valid").initial_error;
+    assert!(error.is_random());
+    assert_eq!((error.position_m, error.position_sigma_m), ([1.0, 0.0, 0.0], [2.0, 3.0, 4.0]));
+    assert_eq!((error.velocity_m_s, error.velocity_sigma_m_s), ([0.0; 3], [5.0, 6.0, 7.0]));
+    assert_eq!((error.attitude_rad, error.attitude_sigma_rad[1]), ([0.0; 3], 0.0));
+    close(error.attitude_sigma_rad[0], 1.7453292519943296e-2);
+    close(error.attitude_sigma_rad[2], 5.2359877559829887e-2);
+    for (line, key) in [
+        ("north_m_sigma = -1", "north_m_sigma"),
+        ("down_m_s_sigma = 1001", "down_m_s_sigma"),
+        ("attitude_east_arcsec_sigma = nan", "attitude_east_arcsec_sigma"),
+        ("up_m_sigma = 1", "up_m_sigma"),
+    ] {
+        let refused = scene(&format!("[initial_error]\n{line}\n")).expect_err(line);
+        assert!(refused.key.as_deref().is_some_and(|found| found.ends_with(key)), "{refused}");
+        assert!(refused.line.is_some(), "{refused}");
+    }
 }
 
 #[test]

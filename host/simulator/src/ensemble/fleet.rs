@@ -5,9 +5,11 @@
 use super::group::{Ground, Unit};
 use super::held::Held;
 use super::runs::{Failure, Group};
+use super::{instants, saturated};
 use crate::navigator::Unavailable;
 use crate::scene::Vertical;
 use schuler::drift::compare::{Drift, drift};
+use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 
@@ -28,7 +30,8 @@ pub struct Reading {
 pub struct Flown {
     /// In order of time; the last is the end.
     pub readings: Vec<Reading>,
-    /// Samples in which a sensor was at its limit, over all runs.
+    /// Samples in which a sensor was at its limit, over all runs; of a run that failed, up to the sample that it
+    /// did not take.
     pub saturated: u64,
     /// The runs that did not reach their end, in order.
     pub failed: Vec<Failure>,
@@ -43,25 +46,40 @@ pub fn fly(
     instants: u64,
     progress: &dyn Fn(u64),
 ) -> Result<Flown, Unavailable> {
+    fly_range(ground, 0..runs, unit, threads, &instants::equal(ground, instants), progress)
+}
+
+/// Flies the runs of a range of numbers, and reads them when so many samples have been taken.
+pub fn fly_range(
+    ground: &Ground,
+    runs: Range<u64>,
+    unit: Unit,
+    threads: usize,
+    stops: &[u64],
+    progress: &dyn Fn(u64),
+) -> Result<Flown, Unavailable> {
     let samples = ground.scene.samples();
     let mut groups = Vec::new();
-    for first in (0..runs).step_by(unit.runs()) {
-        let numbers = first..runs.min(first + unit.runs() as u64);
+    let mut ranges = Vec::new();
+    for first in runs.clone().step_by(unit.runs()) {
+        let numbers = first..runs.end.min(first + unit.runs() as u64);
         // A unit that is not there, or not for this window, leaves each run to itself.
         if let Some(group) = ground.start(unit, numbers.clone())? {
             groups.push(group);
+            ranges.push(numbers);
         } else {
             for run in numbers {
                 groups.extend(ground.start(Unit::Alone, run..run + 1)?);
+                ranges.push(run..run + 1);
             }
         }
     }
-    let mut stops = stops(ground, samples, instants).into_iter().peekable();
+    let mut stops = stops.iter().copied().peekable();
     let mut readings: Vec<(u64, Vec<Option<Drift>>)> = Vec::new();
     let mut done = 0;
     while let Some(&stop) = stops.peek() {
         let end = stop.min(done + STRETCH);
-        let perfect: Vec<_> = (done..end).map(|n| ground.source.perfect_sample(n + 1)).collect();
+        let perfect = ground.source.perfect_samples(done + 1..end + 1);
         // Navigation lies behind by what a window looks ahead.
         let integrated = groups.iter().map(|group| group.integrated()).max().unwrap_or(done);
         let held = (ground.scene.navigator.vertical == Vertical::Held)
@@ -83,30 +101,18 @@ pub fn fly(
     }
     let failed: Vec<_> = groups.iter().flat_map(|group| group.failures()).collect();
     // The same runs at every instant: those that failed are in none.
-    let has_failed = |run: usize| failed.binary_search_by_key(&(run as u64), |f| f.run).is_ok();
+    let has_failed = |place: usize| {
+        failed.binary_search_by_key(&(runs.start + place as u64), |failure| failure.run).is_ok()
+    };
     let readings = readings.into_iter().map(|(samples, drifts)| {
-        let drifts = drifts.into_iter().enumerate().filter(|(run, _)| !has_failed(*run));
+        let drifts = drifts.into_iter().enumerate().filter(|(place, _)| !has_failed(*place));
         Reading { samples, drifts: drifts.filter_map(|(_, drift)| drift).collect() }
     });
     Ok(Flown {
         readings: readings.collect(),
-        saturated: groups.iter().map(|group| group.saturated()).sum(),
+        saturated: saturated::in_all(ground, &groups, &ranges, &failed),
         failed,
     })
-}
-
-/// How many samples are to be taken until each instant's block is complete: increasing, all at last.
-fn stops(ground: &Ground, samples: u64, instants: u64) -> Vec<u64> {
-    let (block, ahead) = (ground.plan.window.block as u64, ground.plan.window.lookahead as u64);
-    let nearest = |instant: u64| {
-        let sample = samples as f64 * instant as f64 / instants as f64;
-        (sample / block as f64).round() as u64 * block + ahead
-    };
-    let mut stops: Vec<u64> =
-        (1..instants).map(nearest).filter(|&stop| stop > ahead && stop < samples).collect();
-    stops.push(samples);
-    stops.dedup();
-    stops
 }
 
 /// Does something with every group, on so many threads.

@@ -9,7 +9,7 @@ use crate::lanes::{InLanes, Registers, in_registers};
 use crate::navigator::{self, Unavailable};
 use crate::plan::Plan;
 use crate::scene::{Axes, Precision, Scene};
-use crate::simulate;
+use crate::simulate::start;
 use crate::source::Source;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
@@ -48,16 +48,20 @@ pub struct Ground<'a> {
     pub source: &'a Source,
     /// Window and order.
     pub plan: Plan,
-    /// Where navigation starts.
-    pub initial: Solution<f64>,
+    /// Where navigation starts without error.
+    pub truth: Solution<f64>,
 }
 
 impl<'a> Ground<'a> {
     /// Of a scene and its source.
     pub fn new(scene: &'a Scene, source: &'a Source) -> Self {
         let plan = Plan::new(scene, source, false);
-        let initial = simulate::offset(&source.initial(0), scene);
-        Self { scene, source, plan, initial }
+        Self { scene, source, plan, truth: source.initial(0) }
+    }
+
+    /// Where the run of a number starts.
+    pub fn initial(&self, run: u64) -> Solution<f64> {
+        start::of_run(&self.truth, self.scene, run)
     }
 
     /// The widest unit that so many runs fill, this machine has and the window is compiled for.
@@ -89,7 +93,7 @@ impl<'a> Ground<'a> {
                     plan.window,
                     plan.order,
                     interval_s,
-                    &self.initial,
+                    &self.initial(runs.start),
                 )?;
                 Ok(Some(Box::new(Alone::new(navigator, self.source, runs.start))))
             }
@@ -118,6 +122,9 @@ impl<'a> Ground<'a> {
         F: Packed<N, Alone: Send> + Send + 'static,
     {
         let shape = self.plan.window;
+        // Lanes without a run of their own fly the last one's.
+        let last = runs.end.saturating_sub(1).max(runs.start);
+        let starts = std::array::from_fn(|lane| self.initial(last.min(runs.start + lane as u64)));
         // Each is a copy of the navigator: slow motion, the planned ones, the widest.
         macro_rules! windows {
             ($($name:ident),+) => {
@@ -125,7 +132,7 @@ impl<'a> Ground<'a> {
                     let abreast = Abreast::<F, $name, N>::start(
                         self.interval_s(),
                         self.plan.order,
-                        &[self.initial; N],
+                        &starts,
                     )?;
                     return Ok(Some(Box::new(Pack::new(abreast, self.source, runs))));
                 })+

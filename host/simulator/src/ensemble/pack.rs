@@ -2,61 +2,91 @@
 
 use super::held::Held;
 use super::runs::{Failure, Group};
-use crate::lanes::abreast::{Abreast, Packed, Refused, pack, replaced};
-use crate::source::{Samples, Source};
+use crate::lanes::abreast::{Abreast, Packed, Refused, replaced};
+use crate::lanes::sensors::{Sensors, in_lanes, same};
+use crate::source::Source;
 use crate::timing;
 use schuler::output::Output;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::block::window::Window;
 use schuler::strapdown::limits::Rejected;
-use std::array;
 use std::ops::Range;
 use std::slice;
 
 /// Samples that pass from the sensors to the navigator at once: they stay in the first cache.
 const PIECE: usize = 64;
 
-/// Runs abreast; with fewer than lanes, the last one flies in the idle ones too.
+/// Runs abreast. Idle lanes, where there are fewer runs than lanes, take the samples of another one.
 pub(super) struct Pack<'a, F: Packed<N>, W: Window, const N: usize> {
     abreast: Abreast<F, W, N>,
-    runs: Vec<Run<'a>>,
+    source: &'a Source,
+    /// `None` where they are perfect.
+    sensors: Option<Sensors<F::Real, N>>,
+    runs: Vec<Run>,
     /// Samples taken.
     taken: u64,
-    measured: Vec<Increment<F::Real>>,
 }
 
 /// What a lane flies.
-struct Run<'a> {
+struct Run {
     number: u64,
-    stream: Samples<'a>,
     failure: Option<Failure>,
+    /// Samples in which a sensor was at its limit, until the run failed.
+    saturated: u64,
 }
 
 impl<'a, F: Packed<N>, W: Window, const N: usize> Pack<'a, F, W, N> {
     /// Runs of these numbers, at their start.
     pub fn new(abreast: Abreast<F, W, N>, source: &'a Source, runs: Range<u64>) -> Self {
-        let run = |number| Run { number, stream: source.start(number), failure: None };
-        Self { abreast, runs: runs.map(run).collect(), taken: 0, measured: Vec::new() }
+        let sensors = source.start_lanes(runs.start);
+        let run = |number| Run { number, failure: None, saturated: 0 };
+        Self { abreast, source, sensors, runs: runs.map(run).collect(), taken: 0 }
     }
 
-    fn measure(&mut self, perfect: &[Increment<f64>]) {
-        self.measured.clear();
-        for perfect in perfect {
-            let mut last = *perfect;
-            let lanes: [_; N] = array::from_fn(|lane| {
-                if let Some(Run { stream, failure: None, .. }) = self.runs.get_mut(lane) {
-                    last = stream.sense(perfect);
+    /// What the sensors make of perfect increments, piece by piece.
+    fn measure(
+        &mut self,
+        perfect: &[Increment<f64>],
+        mut take: impl FnMut(&mut Self, &mut [Increment<F::Real>]) -> bool,
+    ) {
+        // Made for the call, not kept by every group of runs.
+        let terms = self.source.emulator.as_ref().map(in_lanes);
+        let mut measured = Vec::with_capacity(PIECE);
+        for perfect in perfect.chunks(PIECE) {
+            let Some(by) = self.flying() else { return };
+            measured.clear();
+            match (&terms, &mut self.sensors) {
+                (Some(terms), Some(sensors)) => sensors.read(terms, perfect, &mut measured),
+                _ => measured.extend(perfect.iter().map(same)),
+            }
+            for lane in (0..N).filter(|&lane| !self.flies(lane)) {
+                for sample in &mut measured {
+                    *sample = replaced(sample, lane, by);
                 }
-                last
-            });
-            self.measured.push(pack(&lanes));
+            }
+            if !take(self, &mut measured) {
+                return;
+            }
         }
     }
 
-    /// Takes what was measured from a sample on.
-    fn push(&mut self, from: usize, held: Option<&Held>) -> Result<(), Refused> {
-        let measured = self.measured.get(from..).unwrap_or(&[]);
+    /// Whether a lane's run goes on.
+    fn flies(&self, lane: usize) -> bool {
+        self.runs.get(lane).is_some_and(|run| run.failure.is_none())
+    }
+
+    /// The first lane whose run goes on.
+    fn flying(&self) -> Option<usize> {
+        (0..N).find(|&lane| self.flies(lane))
+    }
+
+    /// Takes what was measured.
+    fn push(
+        &mut self,
+        measured: &[Increment<F::Real>],
+        held: Option<&Held>,
+    ) -> Result<(), Refused> {
         let Some(held) = held else { return self.abreast.push(measured) };
         for (taken, sample) in measured.iter().enumerate() {
             let before = self.abreast.integrated();
@@ -71,23 +101,38 @@ impl<'a, F: Packed<N>, W: Window, const N: usize> Pack<'a, F, W, N> {
         Ok(())
     }
 
+    /// Takes a piece of what was measured; whether any run goes on.
+    fn take(&mut self, measured: &mut [Increment<F::Real>], held: Option<&Held>) -> bool {
+        let mut from = 0;
+        while let Err(refused) = self.push(measured.get(from..).unwrap_or(&[]), held) {
+            from += refused.taken;
+            if !self.part(measured, from, refused.reason) {
+                return false;
+            }
+        }
+        self.taken += measured.len() as u64;
+        true
+    }
+
     /// Ends the runs that refuse a measured sample, or all where it is no run's own matter. Whether any
     /// goes on.
-    fn part(&mut self, from: usize, why: Rejected) -> bool {
-        let alone = match self.measured.get(from) {
+    fn part(&mut self, measured: &mut [Increment<F::Real>], from: usize, why: Rejected) -> bool {
+        let alone = match measured.get(from) {
             Some(sample) if why != Rejected::Held => self.abreast.refusals(sample),
             _ => [None; N],
         };
         let refusals = if alone.iter().all(Option::is_none) { [Some(why); N] } else { alone };
         let sample = self.taken + from as u64 + 1;
-        let lanes = self.runs.iter_mut().zip(refusals);
-        for (run, why) in lanes.filter(|(run, _)| run.failure.is_none()) {
+        let saturated = self.sensors.as_ref().map_or([0; N], Sensors::saturated);
+        let lanes = self.runs.iter_mut().zip(refusals).zip(saturated);
+        for ((run, why), saturated) in lanes.filter(|((run, _), _)| run.failure.is_none()) {
+            run.saturated = saturated;
             run.failure = why.map(|why| Failure { run: run.number, sample, why });
         }
-        let Some(by) = self.runs.iter().position(|run| run.failure.is_none()) else { return false };
+        let Some(by) = self.flying() else { return false };
         for lane in (0..N).filter(|&lane| refusals[lane].is_some()) {
             self.abreast.replace(lane, by);
-            for sample in self.measured.iter_mut().skip(from) {
+            for sample in measured.iter_mut().skip(from) {
                 *sample = replaced(sample, lane, by);
             }
         }
@@ -102,20 +147,7 @@ where
     Self: Send,
 {
     fn fly(&mut self, perfect: &[Increment<f64>], held: Option<&Held>) {
-        for perfect in perfect.chunks(PIECE) {
-            if !self.goes_on() {
-                return;
-            }
-            self.measure(perfect);
-            let mut from = 0;
-            while let Err(refused) = self.push(from, held) {
-                from += refused.taken;
-                if !self.part(from, refused.reason) {
-                    return;
-                }
-            }
-            self.taken += perfect.len() as u64;
-        }
+        self.measure(perfect, |pack, measured| pack.take(measured, held));
     }
 
     fn failures(&self) -> Vec<Failure> {
@@ -123,7 +155,7 @@ where
     }
 
     fn goes_on(&self) -> bool {
-        self.runs.iter().any(|run| run.failure.is_none())
+        self.flying().is_some()
     }
 
     fn finish(&mut self) {
@@ -141,16 +173,22 @@ where
     }
 
     fn saturated(&self) -> u64 {
-        self.runs.iter().map(|run| run.stream.saturated()).sum()
+        let until_now = self.sensors.as_ref().map_or([0; N], Sensors::saturated);
+        let runs = self.runs.iter().zip(until_now);
+        runs.map(|(run, until_now)| run.failure.map_or(until_now, |_| run.saturated)).sum()
     }
 
     fn navigation_ns(&mut self, before: &[Increment<f64>], perfect: &[Increment<f64>]) -> f64 {
         // What cannot be right was refused in the flight itself.
         self.fly(before, None);
-        self.measure(perfect);
+        let mut samples = Vec::new();
+        self.measure(perfect, |_, measured| {
+            samples.extend_from_slice(measured);
+            true
+        });
         timing::per_sample((perfect.len() * N) as u64, &mut || {
             let mut abreast = self.abreast;
-            let _ = abreast.push(&self.measured);
+            let _ = abreast.push(&samples);
             std::hint::black_box(&abreast);
         })
     }

@@ -4,8 +4,17 @@
 //! registers; the processor decides at run time. Each lane has the bits of its run flown alone.
 
 pub mod abreast;
+mod circle;
+pub mod drawn;
+mod logarithm;
+pub mod normal;
+pub mod one;
 pub mod pack;
 mod samples;
+pub mod sensors;
+mod stream;
+pub mod truth;
+pub mod words;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 

@@ -1,13 +1,16 @@
 //! Four numbers in a 256-bit register, or eight in one of 512 bits.
 
+use super::drawn::{Deviates, Generator};
 use super::pack::{LANE, Lanes, Task};
-use super::sealed::Sealed;
+use super::{circle, logarithm, normal::Fill, sealed::Sealed, stream::LaneStream};
 use schuler::math::real::Real;
 use schuler::math::twin::Both;
+use schuler::noise::Streams;
+use schuler::noise::random::Random;
 use schuler::record::Record;
 use std::arch::x86_64::*;
 use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, BitOr, Div, Mul, Neg, Sub};
 
 /// What `upper_half` keeps of an f64.
 const UPPER_HALF: u64 = 0xffff_ffff_f800_0000;
@@ -20,6 +23,8 @@ macro_rules! call {
         unsafe { $f$(::<$c>)?($($x),*) }
     };
 }
+
+mod words;
 
 macro_rules! operators {
     ($name:ident: $($op:ident $f:ident $intrinsic:ident),+) => {
@@ -36,14 +41,16 @@ macro_rules! operators {
 /// A register of so many numbers, with the processor's features and intrinsics for it; what compares
 /// stands apart, since masks differ.
 macro_rules! register {
-    ($(#[$doc:meta])* $name:ident, $register:ty, $mask:ty, $n:literal, $features:literal,
-     $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $xor:ident $and:ident $and_not:ident) => {
+    ($(#[$doc:meta])* $name:ident, $register:ty, $mask:ty, $words:path, $n:literal, $features:literal,
+     $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $xor:ident $and:ident $and_not:ident
+     $round:ident $to_words:ident $from_words:ident) => {
         $(#[$doc])*
         #[derive(Clone, Copy)]
         pub(super) struct $name($register);
 
         impl $name {
-            /// At compile time; an array has the register's bytes.
+            /// Also at compile time; an array has the register's bytes.
+            #[inline(always)]
             const fn all(x: f64) -> Self {
                 // SAFETY: so many f64 and their register have the same size, and any bits are valid.
                 Self(unsafe { std::mem::transmute::<[f64; $n], $register>([x; $n]) })
@@ -53,6 +60,8 @@ macro_rules! register {
         impl Sealed for $name {}
 
         impl Lanes<$n> for $name {
+            type Words = $words;
+
             #[inline(always)]
             fn from_lanes(lanes: [f64; $n]) -> Self {
                 // SAFETY: as in `all`.
@@ -64,14 +73,48 @@ macro_rules! register {
                 unsafe { std::mem::transmute::<$register, [f64; $n]>(self.0) }
             }
             #[inline(always)]
+            fn from_bits(bits: $words) -> Self {
+                Self(call!($from_words(bits.0)))
+            }
+            #[inline(always)]
+            fn to_bits(self) -> $words {
+                $words(call!($to_words(self.0)))
+            }
+            #[inline(always)]
+            fn nearest(words: $words) -> Self {
+                Self(words.nearest())
+            }
+            #[inline(always)]
+            fn beyond(words: $words, bound: i64) -> $mask {
+                words.beyond(bound)
+            }
+            #[inline(always)]
+            fn marks(mask: $mask) -> u32 {
+                Self::bits(mask) as u32
+            }
+            fn fill(generator: &mut Generator<$n>, deviates: &mut Deviates) {
+                Self::compiled(Fill::<Self, $n>::new(generator, deviates));
+            }
+            #[inline(always)]
             fn compiled<T: Task>(task: T) -> T::Output {
                 #[target_feature(enable = $features)]
                 fn here<T: Task>(task: T) -> T::Output {
                     task.run()
                 }
-                // SAFETY: it needs these features and nothing else, and `in_registers` asked for them all
-                // (`Registers::are_there`).
+                // SAFETY: it needs these features alone, which `Registers::are_there` asked for.
                 unsafe { here(task) }
+            }
+        }
+
+        impl Random for $name {
+            type Stream = LaneStream<$n>;
+
+            fn open(place: Streams) -> Self::Stream {
+                LaneStream::open(place)
+            }
+            #[inline(always)]
+            fn deviate(stream: &mut Self::Stream) -> Self {
+                stream.next()
             }
         }
 
@@ -133,10 +176,9 @@ macro_rules! register {
             fn ratio(numerator: i128, denominator: i128) -> Self {
                 Self::of(f64::ratio(numerator, denominator))
             }
+            #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                let both = self.lanes().map(Real::sin_cos);
-                let part = |f: fn((f64, f64)) -> f64| Self::from_lanes(both.map(f));
-                (part(|(sine, _)| sine), part(|(_, cosine)| cosine))
+                circle::sin_cos(self)
             }
             fn atan2(self, x: Self) -> Self {
                 let (y, x) = (self.lanes(), x.lanes());
@@ -145,11 +187,15 @@ macro_rules! register {
             fn exp_m1(self) -> Self {
                 Self::from_lanes(self.lanes().map(Real::exp_m1))
             }
+            #[inline(always)]
             fn ln(self) -> Self {
-                Self::from_lanes(self.lanes().map(Real::ln))
+                logarithm::ln(self)
             }
+            #[inline(always)]
             fn round(self) -> Self {
-                Self::from_lanes(self.lanes().map(Real::round))
+                // To nearest, halves to even, no exception raised.
+                const HOW: i32 = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
+                Self(call!($round::<HOW>(self.0)))
             }
             #[inline(always)]
             fn of(literal: f64) -> Self {
@@ -190,14 +236,23 @@ macro_rules! register {
 
 register! {
     /// Four numbers in an AVX register. Nobody gets one but by `in_registers`, which asks the processor.
-    Avx2, __m256d, Mask, 4, "avx2",
+    Avx2, __m256d, Mask, words::Avx2, 4, "avx2",
     _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd
     _mm256_xor_pd _mm256_and_pd _mm256_andnot_pd
+    _mm256_round_pd _mm256_castpd_si256 _mm256_castsi256_pd
 }
 
 /// All bits of a lane, or none.
 #[derive(Clone, Copy)]
 pub(super) struct Mask(__m256d);
+
+impl BitOr for Mask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(call!(_mm256_or_pd(self.0, other.0)))
+    }
+}
 
 impl Avx2 {
     /// Compares lane by lane.
@@ -219,9 +274,10 @@ impl Avx2 {
 
 register! {
     /// Eight numbers in an AVX-512 register. Nobody gets one but by `in_registers`, which asks the processor.
-    Avx512, __m512d, __mmask8, 8, "avx512f,avx512dq,avx512vl",
+    Avx512, __m512d, __mmask8, words::Avx512, 8, "avx512f,avx512dq,avx512vl",
     _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd _mm512_sqrt_pd
     _mm512_xor_pd _mm512_and_pd _mm512_andnot_pd
+    _mm512_roundscale_pd _mm512_castpd_si512 _mm512_castsi512_pd
 }
 
 impl Avx512 {

@@ -21,6 +21,8 @@ static NUMBER: AtomicUsize = AtomicUsize::new(0);
 static GATE: Mutex<()> = Mutex::new(());
 /// Files that have taken their place.
 static PLACED: AtomicUsize = AtomicUsize::new(0);
+/// What stays of unfinished work, for people.
+static STAYS: Mutex<Option<String>> = Mutex::new(None);
 
 /// An entry in the list; dropped, it is none of the list's business any more.
 #[derive(Debug)]
@@ -66,6 +68,11 @@ pub(super) fn placed() {
     PLACED.fetch_add(1, Ordering::Relaxed);
 }
 
+/// A program that is stopped from here on leaves something that can be gone on with.
+pub(super) fn leave(what: String) {
+    *lock(&STAYS) = Some(what);
+}
+
 /// Takes away all that is listed: the program ends without its destructors.
 pub(super) fn clear() {
     for (_, left) in lock(&LEFT).drain(..) {
@@ -103,9 +110,10 @@ pub fn watch() {
         let Some(signal) = signals.forever().next() else { return };
         let _gate = lock(&GATE);
         clear();
-        let what = match PLACED.load(Ordering::Relaxed) {
-            0 => "nothing was written",
-            _ => "what was not finished is taken away",
+        let what = match (lock(&STAYS).take(), PLACED.load(Ordering::Relaxed)) {
+            (Some(stays), _) => stays,
+            (None, 0) => "nothing was written".to_owned(),
+            (None, _) => "what was not finished is taken away".to_owned(),
         };
         let name = signal_hook::low_level::signal_name(signal).unwrap_or("a signal");
         let line = format!("schuler: stopped by {name}: {what}\n");

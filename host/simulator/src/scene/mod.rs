@@ -6,6 +6,7 @@ pub mod build;
 pub mod builtin;
 pub mod keys;
 pub mod limits;
+pub mod navigator;
 pub mod parse;
 pub mod route;
 pub mod terms;
@@ -14,11 +15,11 @@ pub mod window;
 use crate::course::Path;
 use crate::input::document::{Document, did_you_mean};
 use crate::input::{Complaint, InputError, read_text};
+pub use navigator::{Gap, Link, Navigator, Vertical};
 pub use schuler::flight::configuration::{Algorithm, Axes, Precision};
 pub use schuler::strapdown::block::shape::WindowShape;
 
 use route::Route;
-use schuler::link::gap::Policy;
 use schuler::trajectory::harmonic::Harmonic;
 use std::path;
 use std::sync::Arc;
@@ -193,7 +194,8 @@ pub struct GaussMarkov {
     pub correlation_s: [f64; 3],
 }
 
-/// The navigator's start less the truth.
+/// The navigator's start less the truth: what is the same in every run, and the standard deviation of what
+/// each run draws on top of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct InitialError {
     /// North, east, down, m.
@@ -202,89 +204,17 @@ pub struct InitialError {
     pub velocity_m_s: [f64; 3],
     /// Rotation vector from the true to the computed body frame, in north, east, down, rad.
     pub attitude_rad: [f64; 3],
+    /// Standard deviation of the position, m.
+    pub position_sigma_m: [f64; 3],
+    /// Standard deviation of the velocity, m/s.
+    pub velocity_sigma_m_s: [f64; 3],
+    /// Standard deviation of the attitude, rad.
+    pub attitude_sigma_rad: [f64; 3],
 }
 
-/// How a scene is navigated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Navigator {
-    /// Axes of the mechanization.
-    pub frame: Axes,
-    /// Arithmetic of the navigator.
-    pub precision: Precision,
-    /// Integration method.
-    pub algorithm: Algorithm,
-    /// Window of the taylor algorithm; `None` leaves it to the plan ("auto").
-    pub window: Option<WindowShape>,
-    /// The vertical channel.
-    pub vertical: Vertical,
-    /// What a missing sample does.
-    pub gap: Gap,
-}
-
-/// The vertical channel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Vertical {
-    /// It runs free: "free".
-    Free,
-    /// Height and vertical velocity from truth: "held".
-    Held,
-}
-
-/// What a missing sample does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Gap {
-    /// The run ends with an error: "error".
-    Error,
-    /// The gap is filled from its neighbours: "bridge".
-    Bridge,
-}
-
-/// What happens to samples on their way.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Link {
-    /// Probability that a sample is lost.
-    pub loss: f64,
-    /// Rms of the sampling instants about their nominal times, s.
-    pub jitter_s: f64,
-}
-
-impl From<Gap> for Policy {
-    fn from(gap: Gap) -> Self {
-        match gap {
-            Gap::Error => Self::Refuse,
-            Gap::Bridge => Self::Bridge,
-        }
-    }
-}
-
-macro_rules! names {
-    ($type:ident: $($variant:ident = $name:literal),+) => {
-        impl $type {
-            /// Every name that a scene or an option may give, with its meaning.
-            pub const NAMES: &'static [(&'static str, Self)] = &[$(($name, Self::$variant)),+];
-
-            /// The name in scenes, options and summaries.
-            pub fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant => $name),+
-                }
-            }
-        }
-    };
-}
-
-names!(Vertical: Free = "free", Held = "held");
-names!(Gap: Error = "error", Bridge = "bridge");
-
-impl Default for Navigator {
-    fn default() -> Self {
-        Self {
-            frame: Axes::LocalLevel,
-            precision: Precision::F64,
-            algorithm: Algorithm::Taylor,
-            window: None,
-            vertical: Vertical::Free,
-            gap: Gap::Error,
-        }
+impl InitialError {
+    /// Whether runs draw any of it.
+    pub fn is_random(&self) -> bool {
+        [self.position_sigma_m, self.velocity_sigma_m_s, self.attitude_sigma_rad] != [[0.0; 3]; 3]
     }
 }

@@ -3,11 +3,12 @@
 use super::sources::{SENSORS, Sources, unit};
 use super::steps;
 use crate::course;
-use crate::scene::{Scene, Vertical};
+use crate::scene::{InitialError, Scene, Vertical};
 use schuler::drift::compare::Drift;
 use schuler::drift::linear::{ErrorDynamics, ErrorState};
 use schuler::drift::meridian::MeridianShift;
 use schuler::math::compensated::Pair;
+use schuler::math::vector::Vector;
 use schuler::sample::Rates;
 use schuler::trajectory::harmonic::CourseError;
 use schuler::trajectory::{Motion, Trajectory};
@@ -43,6 +44,8 @@ pub struct Course {
     pub longest_step_s: f64,
     /// The mean error at the start.
     pub initial: ErrorState<f64>,
+    /// Its covariance.
+    pub initial_covariance: Covariance,
 }
 
 /// The motion and its error dynamics at one instant.
@@ -60,8 +63,8 @@ impl Course {
     pub fn new(scene: &Scene) -> Result<Self, CourseError> {
         let trajectory = scene.trajectory.build()?;
         let sources = Sources::new(scene);
-        let random = sources.are_random();
         let initial = &scene.initial_error;
+        let random = sources.are_random() || initial.is_random();
         let mut drift = Drift {
             position_ned: initial.position_m.into(),
             velocity_ned: initial.velocity_m_s.into(),
@@ -89,6 +92,7 @@ impl Course {
                 .min(LARGEST_TURN / bound.angular_rate.max(turning))
                 .min(bound.bandwidth.recip()),
             initial: shift.error(&drift),
+            initial_covariance: scattered(&shift, initial, vertical_held),
             trajectory,
             sources,
             vertical_held,
@@ -139,6 +143,38 @@ impl Course {
         let columns = std::array::from_fn::<[f64; 9], 9, _>(|i| rows.map(|row| row[i]));
         (mean, columns.map(|column| array(drift(&column.into()))))
     }
+}
+
+/// The covariance of the error at the start: of independent drifts with the σ of the scene.
+fn scattered(
+    shift: &MeridianShift<f64>,
+    initial: &InitialError,
+    vertical_held: bool,
+) -> Covariance {
+    let sigmas: [[f64; 3]; 3] =
+        [initial.position_sigma_m, initial.velocity_sigma_m_s, initial.attitude_sigma_rad];
+    let mut covariance = Covariance::default();
+    for component in 0..9 {
+        let sigma = sigmas[component / 3][component % 3];
+        let is_held = vertical_held && [2, 5].contains(&component);
+        if sigma == 0.0 || is_held {
+            continue;
+        }
+        let [position, velocity, attitude] = std::array::from_fn(|group| {
+            let at = |axis| if 3 * group + axis == component { sigma } else { 0.0 };
+            Vector::new(at(0), at(1), at(2))
+        });
+        let drift =
+            Drift { position_ned: position, velocity_ned: velocity, attitude_ned: attitude };
+        // P₀ = Σ σᵢ² eᵢeᵢᵀ, eᵢ the error that belongs to a unit of the drift's component i
+        let error = shift.error(&drift).into_array();
+        for (row, a) in covariance.iter_mut().zip(error) {
+            for (entry, b) in row.iter_mut().zip(error) {
+                *entry += a * b;
+            }
+        }
+    }
+    covariance
 }
 
 /// How fast north turns about the vertical along a path, at most, rad/s; infinite at a pole.

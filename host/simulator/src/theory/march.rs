@@ -37,7 +37,8 @@ impl March {
         let slow = course.sources.biases.len();
         let fast = Fast::new(&course.sources, slow);
         let rest = Moments { cross: vec![ErrorState::default(); slow], ..Moments::default() };
-        let start = Moments { mean: course.initial, ..rest.clone() };
+        let covariance = course.initial_covariance;
+        let start = Moments { mean: course.initial, covariance, ..rest.clone() };
         let origin = course.instant(0.0);
         let mut start_rate = rest.clone();
         start.rate(&origin, course, &fast, &mut start_rate);

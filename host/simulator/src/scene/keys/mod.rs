@@ -63,6 +63,9 @@ pub fn reference() -> String {
         }
     }
     text += "\n## [initial_error]\n\nWhat the navigator's start is off by; 0 where absent: ";
-    let names: Vec<_> = Nine::NAMES.iter().map(|name| format!("`{name}`")).collect();
-    text + &names.join(", ") + ".\n"
+    let list = |names: [&str; 9]| names.map(|name| format!("`{name}`")).join(", ");
+    text += &list(Nine::NAMES);
+    text += ".\n\nThe standard deviation of what each run of an ensemble draws on top of it, from a stream of its own \
+             by its number; `run` flies run 0 unless `--run` names another: ";
+    text + &list(Nine::SIGMAS) + ".\n"
 }

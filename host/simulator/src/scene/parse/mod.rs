@@ -61,19 +61,29 @@ fn hash(text: &str) -> String {
 }
 
 fn initial_error(root: &Section<'_>) -> Result<InitialError, InputError> {
-    let section = root.section("initial_error", &Nine::NAMES).map_err(renamed)?;
+    let keys = [Nine::NAMES, Nine::SIGMAS].concat();
+    let section = root.section("initial_error", &keys).map_err(renamed)?;
     let Some(section) = section else { return Ok(InitialError::default()) };
-    let three = |first: usize, range: Range, unit| -> Result<[f64; 3], InputError> {
-        let get = |key: usize| Ok(section.number_or(Nine::NAMES[key], 0.0, &range)? * unit);
-        Ok([get(first)?, get(first + 1)?, get(first + 2)?])
+    let three = |keys: &[&str], range: Range, unit| -> Result<[f64; 3], InputError> {
+        let mut values = [0.0; 3];
+        for (value, key) in values.iter_mut().zip(keys) {
+            *value = section.number_or(key, 0.0, &range)? * unit;
+        }
+        Ok(values)
     };
     let metres = Range::from_to(-1e5, 1e5, "metres, from -1e5 to 1e5");
     let speed = Range::from_to(-1e4, 1e4, "m/s, from -1e4 to 1e4");
     let angle = Range::from_to(-648_000.0, 648_000.0, "arcsec, from -648000 to 648000");
+    let metres_sigma = Range::from_to(0.0, 1e4, "metres, from 0 to 1e4");
+    let speed_sigma = Range::from_to(0.0, 1e3, "m/s, from 0 to 1e3");
+    let angle_sigma = Range::from_to(0.0, 64_800.0, "arcsec, from 0 to 64800");
     Ok(InitialError {
-        position_m: three(0, metres, 1.0)?,
-        velocity_m_s: three(3, speed, 1.0)?,
-        attitude_rad: three(6, angle, ARCSECOND)?,
+        position_m: three(&Nine::NAMES[..3], metres, 1.0)?,
+        velocity_m_s: three(&Nine::NAMES[3..6], speed, 1.0)?,
+        attitude_rad: three(&Nine::NAMES[6..], angle, ARCSECOND)?,
+        position_sigma_m: three(&Nine::SIGMAS[..3], metres_sigma, 1.0)?,
+        velocity_sigma_m_s: three(&Nine::SIGMAS[3..6], speed_sigma, 1.0)?,
+        attitude_sigma_rad: three(&Nine::SIGMAS[6..], angle_sigma, ARCSECOND)?,
     })
 }
 

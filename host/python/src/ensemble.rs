@@ -19,7 +19,7 @@ use std::ops::RangeInclusive;
 use std::thread;
 
 /// Runs, as the command line takes them.
-const RUNS: RangeInclusive<u64> = 4..=100_000;
+const RUNS: RangeInclusive<u64> = 4..=10_000_000;
 /// At how many times the drift is read, unless told.
 const INSTANTS: u64 = 8;
 /// At how many times, at most.

@@ -52,7 +52,7 @@ fly "$scratch/good"
 
 # x + 0.74·2⁻⁵²·x, or 2⁻²³ in single precision, rounds to the number after x.
 plant trajectory trajectory/harmonic.rs '*x = *x + in_phase;' \
-    '*x = *x + in_phase; if time_s.hi > R::of(30.0) && share.channel == 5 { *x = *x + *x * R::of(1.64e-16); }' \
+    '*x = *x + in_phase; if P::any(P::of(30.0).less(time_s.hi)) && share.channel == 5 { *x = *x + *x * P::of(1.64e-16); }' \
     "trajectory, sample 601, stage trajectory, field altitude value"
 plant increments imu.rs 'angle_b: sum.rate_ib_b * time + sum.rate_ib_b * low,' \
     'angle_b: {
@@ -61,8 +61,8 @@ plant increments imu.rs 'angle_b: sum.rate_ib_b * time + sum.rate_ib_b * low,' \
          angle_b
      },' \
     "increments, sample 901, stage increments, field angle_b y"
-plant noise sensor/white.rs 'reading.increment = reading.increment + self.deviation' \
-    'reading.increment = reading.increment + self.deviation.zip(deviates, |n, z: R| n * z);
+plant noise sensor/white.rs 'reading.increment = reading.increment + noise;' \
+    'reading.increment = reading.increment + noise;
      reading.increment.z = reading.increment.z + reading.increment.z * R::of(1.64e-16);' \
     "noise, sample 1, stage noise, field angle_b z"
 plant body strapdown/block/body.rs 'let motion = BodyMotion {' \

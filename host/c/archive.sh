@@ -22,4 +22,8 @@ thumb*) strip=${strip:-arm-none-eabi-strip} ;;
 *) strip=${strip:-strip} ;;
 esac
 cp "$built" "$to"
-"$strip" --strip-debug "$to"
+if command -v "$strip" >/dev/null; then
+    "$strip" --strip-debug "$to"
+else
+    echo "archive: not stripped ($strip is missing)" >&2
+fi

@@ -13,7 +13,7 @@ use schuler_simulator::lanes::one::One;
 use schuler_simulator::lanes::pack::Lanes;
 use schuler_simulator::lanes::sensors::{Sensors, in_lanes, same};
 use schuler_simulator::lanes::{InLanes, Registers, in_registers};
-use schuler_simulator::scene::{GaussMarkov, Scene, SensorErrors, builtin};
+use schuler_simulator::scene::{GaussMarkov, Scene, SensorErrors, Temperature, builtin};
 use std::array;
 
 /// Not a multiple of what is made at once.
@@ -36,7 +36,16 @@ fn every_term(size: f64) -> SensorErrors {
         bias_instability: axes(0.1 * size),
         scale_factor: axes(1e-3),
         misalignment: axes(1e-3),
+        misalignment_matrix: Some([[0.0, 1e-3, -2e-3], [3e-3, 0.0, 1e-3], [2e-3, 1e-3, 0.0]]),
         g_sensitivity: axes(1e-3 * size),
+        g_sensitivity_matrix: Some([[1e-3 * size, 2e-3 * size, 0.0]; 3]),
+        temperature_bias: axes(1e-3 * size),
+        temperature_scale: axes(1e-4),
+        // It ends within a sample of the run.
+        temperature: Some(Temperature { offset_k: 5.0, rate_k_s: 0.3, until_s: 12.345 }),
+        // On the first axis noise passes, which leaves its limit by that.
+        bandwidth: Some([1e4, 40.0, 30.0]),
+        latency: axes(0.021),
         // Often on the first axis, on the others in jolts alone.
         saturation: Some([1.6 * size, 10.0 * size, 10.0 * size]),
         // The last axis stays continuous.

@@ -2,16 +2,21 @@
 
 use schuler::math::vector::Vector;
 use schuler::sensor::Timing;
+use schuler::sensor::bandwidth::Bandwidth;
 use schuler::sensor::constant::Constant;
 use schuler::sensor::flicker::Flicker;
 use schuler::sensor::g_sensitivity::GSensitivity;
 use schuler::sensor::gauss_markov::GaussMarkov;
+use schuler::sensor::latency::Latency;
 use schuler::sensor::misalignment::Misalignment;
 use schuler::sensor::parameter::{Fault, Parameter, ParameterError};
 use schuler::sensor::quantization::Quantization;
 use schuler::sensor::random_walk::RandomWalk;
 use schuler::sensor::saturation::Saturation;
 use schuler::sensor::scale_factor::ScaleFactor;
+use schuler::sensor::temperature::Ramp;
+use schuler::sensor::temperature_bias::TemperatureBias;
+use schuler::sensor::temperature_scale::TemperatureScale;
 use schuler::sensor::turn_on::TurnOn;
 use schuler::sensor::white::White;
 
@@ -66,6 +71,11 @@ fn a_parameter_out_of_its_range_is_named() {
     check(Parameter::Quantization, Range::NotNegative, Quantization::new);
     check(Parameter::CorrelationTime, Range::Positive, |v| GaussMarkov::new(one, v, timing));
     check(Parameter::Saturation, Range::Positive, |v| Saturation::new(v, timing));
+    let ramp = Ramp::new(1.0, 1.0, 1.0, timing).unwrap();
+    check(Parameter::TemperatureBias, Range::Any, |v| TemperatureBias::new(v, ramp, timing));
+    check(Parameter::TemperatureScale, Range::Any, |v| TemperatureScale::new(v, ramp));
+    check(Parameter::Bandwidth, Range::Positive, |v| Bandwidth::new(v, timing));
+    check(Parameter::Latency, Range::NotNegative, |v| Latency::new(v * 0.1, timing));
 }
 
 #[test]

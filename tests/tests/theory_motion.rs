@@ -33,9 +33,10 @@ fn full_errors(scene: &mut Scene) {
         bias_instability: Some([size; 3]),
         scale_factor: Some([1e-4, 2e-4, -1e-4]),
         misalignment: Some([1e-4, -3e-4, 2e-4]),
-        g_sensitivity: None,
         quantization: Some([size, 2.0 * size, 3.0 * size]),
-        saturation: None,
+        bandwidth: Some([50.0, 60.0, 70.0]),
+        latency: Some([1e-3, 2e-3, 3e-3]),
+        ..SensorErrors::default()
     };
     scene.gyro = errors(1e-6);
     scene.gyro.g_sensitivity = Some([1e-7, 2e-7, 3e-7]);

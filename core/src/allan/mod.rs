@@ -17,11 +17,11 @@
 //! use schuler::noise::Streams;
 //!
 //! // A gyro of 0.01 °/√h that stands still, 100 samples a second.
-//! let (interval_s, density) = (0.01_f64, 0.01 / 60.0_f64);
+//! let (interval_s, root_s, density) = (0.01_f64, 0.1, 0.01 / 60.0_f64);
 //! let mut axis: Octaves<f64> = Octaves::new(interval_s)?;
 //! let mut noise = Streams::new(1, 0).open();
 //! for _ in 0..100_000 {
-//!     axis.add(density * interval_s.sqrt() * noise.normal::<f64>())?;
+//!     axis.add(density * root_s * noise.normal::<f64>())?;
 //! }
 //! // At 2.56 s the closed form is N/√τ.
 //! let point = axis.points().find(|point| point.samples == 256).unwrap();

@@ -14,8 +14,7 @@
 
 use super::real::{Real, Scalar};
 use super::twin::Both;
-use crate::{one_number, wrapped_constants};
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use crate::{one_number, wrapped_constants, wrapped_operators};
 use micromath::F32Ext;
 
 /// A single-precision number whose functions are micromath's.
@@ -23,27 +22,7 @@ use micromath::F32Ext;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coarse(pub f32);
 
-macro_rules! operator {
-    ($($op:ident $f:ident),+) => {
-        $(impl $op for Coarse {
-            type Output = Self;
-            #[inline(always)]
-            fn $f(self, b: Self) -> Self {
-                Self($op::$f(self.0, b.0))
-            }
-        })+
-    };
-}
-
-operator!(Add add, Sub sub, Mul mul, Div div);
-
-impl Neg for Coarse {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self(-self.0)
-    }
-}
+wrapped_operators!(Coarse);
 
 impl Real for Coarse {
     one_number!();

@@ -191,6 +191,21 @@ impl<T: Number> Matrix<T> {
     }
 }
 
+impl<T> Matrix<T> {
+    /// The same function of each element.
+    #[inline(always)]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Matrix<U> {
+        Matrix { rows: self.rows.map(|row| row.map(&mut f)) }
+    }
+}
+
+impl<T> From<[[T; 3]; 3]> for Matrix<T> {
+    #[inline(always)]
+    fn from(rows: [[T; 3]; 3]) -> Self {
+        Self { rows: rows.map(Vector::from) }
+    }
+}
+
 impl<T: Number> Mul<Vector<T>> for Matrix<T> {
     type Output = Vector<T>;
     #[inline(always)]

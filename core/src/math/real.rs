@@ -174,6 +174,30 @@ macro_rules! one_number {
     };
 }
 
+#[doc(hidden)]
+#[macro_export]
+macro_rules! wrapped_operators {
+    ($wrap:ident) => {
+        $crate::wrapped_operators!($wrap: Add add, Sub sub, Mul mul, Div div);
+        impl core::ops::Neg for $wrap {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self(-self.0)
+            }
+        }
+    };
+    ($wrap:ident: $($op:ident $f:ident),+) => {
+        $(impl core::ops::$op for $wrap {
+            type Output = Self;
+            #[inline(always)]
+            fn $f(self, b: Self) -> Self {
+                Self(core::ops::$op::$f(self.0, b.0))
+            }
+        })+
+    };
+}
+
 /// The type of masks and the comparisons of a [`Real`] that is a single number: `one_number!()` within the
 /// implementation.
 #[doc(inline)]
@@ -183,3 +207,7 @@ pub use one_number;
 /// implementation, with the type inside and the constant function or constructor that wraps it.
 #[doc(inline)]
 pub use wrapped_constants;
+
+/// The arithmetic of a number that wraps another one: `wrapped_operators!(Coarse)` beside its type.
+#[doc(inline)]
+pub use wrapped_operators;

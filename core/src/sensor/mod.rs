@@ -1,10 +1,10 @@
 //! Sensor errors, as terms that are composed.
 //!
-//! output = quantize(saturate((I + S + M)·x + G·f + Σ biases + noise)), with x and f integrated over
-//! a sample. The quantized output stays within the limits, too. Each term has a file, and is in its exact
-//! discrete form. `()` is the perfect sensor, `(A, B)` is first A, then B, and `Option<T>` is decided at run
-//! time; an absent term takes no time and no random numbers. "Angle" in a unit stands for the quantity that
-//! the increments count: rad for a gyro, m/s for an accelerometer.
+//! output = quantize(saturate(lag(x(t − D) + (S + M)·x + G·f + Σ biases + noise))), with x and f integrated
+//! over a sample. The quantized output stays within the limits, too. Each term has a file, and is in its
+//! exact discrete form. `()` is the perfect sensor, `(A, B)` is first A, then B, and `Option<T>` is decided
+//! at run time; an absent term takes no time and no random numbers. "Angle" in a unit stands for the quantity
+//! that the increments count: rad for a gyro, m/s for an accelerometer.
 //!
 //! ```
 //! use schuler::sensor::Timing;
@@ -14,18 +14,25 @@
 //! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
 //! ```
 
+pub mod bandwidth;
 pub mod constant;
 pub mod emulator;
 pub mod flicker;
 pub mod g_sensitivity;
+pub mod g_sensitivity_matrix;
 pub mod gauss_markov;
+pub mod latency;
 pub mod misalignment;
+pub mod misalignment_matrix;
 pub mod parameter;
 pub mod quantization;
 pub mod random_walk;
 mod record;
 pub mod saturation;
 pub mod scale_factor;
+pub mod temperature;
+pub mod temperature_bias;
+pub mod temperature_scale;
 pub mod triad;
 pub mod turn_on;
 pub mod white;

@@ -8,6 +8,7 @@
 //! assert_eq!((refused.parameter, refused.fault), (Parameter::Interval, Fault::NotPositive));
 //! ```
 
+use crate::math::quaternion::Matrix;
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
 use core::error::Error;
@@ -46,6 +47,22 @@ pub enum Parameter {
     Saturation,
     /// Least significant bit.
     Quantization,
+    /// Misalignment of each axis.
+    MisalignmentMatrix,
+    /// g-sensitivity across axes.
+    GSensitivityMatrix,
+    /// Temperature and its rate.
+    Temperature,
+    /// How long the temperature changes.
+    RampTime,
+    /// Bias by temperature.
+    TemperatureBias,
+    /// Scale factor by temperature.
+    TemperatureScale,
+    /// Bandwidth.
+    Bandwidth,
+    /// Delay of the output.
+    Latency,
 }
 
 /// What is wrong with it.
@@ -92,6 +109,14 @@ impl Display for Parameter {
             Self::GSensitivity => "g-sensitivity",
             Self::Saturation => "saturation",
             Self::Quantization => "quantization",
+            Self::MisalignmentMatrix => "misalignment of each axis",
+            Self::GSensitivityMatrix => "g-sensitivity across axes",
+            Self::Temperature => "temperature",
+            Self::RampTime => "time of the temperature ramp",
+            Self::TemperatureBias => "bias by temperature",
+            Self::TemperatureScale => "scale factor by temperature",
+            Self::Bandwidth => "bandwidth",
+            Self::Latency => "latency",
         })
     }
 }
@@ -151,6 +176,14 @@ impl Parameter {
     /// A value per axis, of any sign.
     pub(super) fn signed<R: Scalar>(self, value: Vector<R>) -> Result<Vector<R>, ParameterError> {
         self.each(value, finite)
+    }
+
+    /// A row of values per axis, of any sign.
+    pub(super) fn rows<R: Scalar>(self, value: Matrix<R>) -> Result<Matrix<R>, ParameterError> {
+        for (axis, row) in (0..).zip(value.rows) {
+            self.each(row, finite).map_err(|error| ParameterError { axis: Some(axis), ..error })?;
+        }
+        Ok(value)
     }
 
     /// A value per axis that is zero or more.

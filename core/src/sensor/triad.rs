@@ -12,15 +12,21 @@
 //! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
 //! ```
 
+use super::bandwidth::Bandwidth;
 use super::constant::Constant;
 use super::flicker::Flicker;
 use super::g_sensitivity::GSensitivity;
+use super::g_sensitivity_matrix::GSensitivityMatrix;
 use super::gauss_markov::GaussMarkov;
+use super::latency::Latency;
 use super::misalignment::Misalignment;
+use super::misalignment_matrix::MisalignmentMatrix;
 use super::quantization::Quantization;
 use super::random_walk::RandomWalk;
 use super::saturation::Saturation;
 use super::scale_factor::ScaleFactor;
+use super::temperature_bias::TemperatureBias;
+use super::temperature_scale::TemperatureScale;
 use super::turn_on::TurnOn;
 use super::white::White;
 use super::{ErrorTerm, Reading, Stimulus};
@@ -83,6 +89,8 @@ macro_rules! triad {
 }
 
 triad! {
+    /// Latency.
+    latency: Latency = 11,
     /// Constant bias.
     constant: Constant = 0,
     /// Bias drawn for each run.
@@ -101,6 +109,16 @@ triad! {
     misalignment: Misalignment = 7,
     /// g-sensitivity.
     g_sensitivity: GSensitivity = 8,
+    /// Misalignment of each axis.
+    misalignment_matrix: MisalignmentMatrix = 12,
+    /// g-sensitivity across axes.
+    g_sensitivity_matrix: GSensitivityMatrix = 13,
+    /// Bias by temperature.
+    temperature_bias: TemperatureBias = 14,
+    /// Scale factor by temperature.
+    temperature_scale: TemperatureScale = 15,
+    /// Bandwidth.
+    bandwidth: Bandwidth = 16,
     /// Limits.
     saturation: Saturation = 9,
     /// Quantization.

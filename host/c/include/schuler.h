@@ -397,7 +397,7 @@ typedef struct {
 /** A unit of gyros and accelerometers, emulated in f32. Allocate it anywhere. */
 typedef struct {
     /** The library's. */
-    uint64_t opaque[394];
+    uint64_t opaque[488];
 } schuler_emulator_f32;
 
 /** The errors of three gyros or three accelerometers, an axis each: x, y, z. A term whose numbers are all
@@ -432,7 +432,7 @@ typedef struct {
 /** A unit of gyros and accelerometers, emulated in f64. Allocate it anywhere. */
 typedef struct {
     /** The library's. */
-    uint64_t opaque[674];
+    uint64_t opaque[846];
 } schuler_emulator_f64;
 
 /** The errors of three gyros or three accelerometers, an axis each: x, y, z. A term whose numbers are all

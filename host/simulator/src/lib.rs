@@ -4,7 +4,7 @@
 //!
 //! | room | what it has |
 //! |---|---|
-//! | [`units`], [`number`], [`input`], [`output`], [`progress`] | units, numbers for people, files in and out |
+//! | [`units`], [`number`], [`mod@quartile`], [`input`], [`output`], [`progress`] | units, numbers for people, files in and out |
 //! | [`scene`] | what flies, what the sensors get wrong, how it is navigated |
 //! | [`course`], [`source`], [`emulator`] | motion, truth, perfect increments, sensors |
 //! | [`navigator`], [`lanes`], [`ensemble`], [`twin`] | the core's navigators: one, many abreast, a target's copy |
@@ -34,6 +34,7 @@ pub mod output;
 pub mod plan;
 pub mod portrait;
 pub mod progress;
+pub mod quartile;
 pub mod recording;
 pub mod reference;
 pub mod rest;

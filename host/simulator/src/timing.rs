@@ -2,6 +2,7 @@
 
 use crate::flight::StageTimes;
 use crate::navigator::Navigate;
+use crate::quartile::quartile;
 use crate::scene::Scene;
 use crate::source::{Source, emulate};
 use schuler::sample::Increment;
@@ -52,19 +53,12 @@ pub fn navigation(navigator: &dyn Navigate, samples: &[Increment<f64>]) -> f64 {
 
 /// Nanoseconds per sample of a pass over so many.
 pub fn per_sample(samples: u64, pass: &mut dyn FnMut()) -> f64 {
-    let mut times: Vec<_> = (0..PASSES)
+    let times: Vec<_> = (0..PASSES)
         .map(|_| {
             let start = Instant::now();
             pass();
             start.elapsed().as_secs_f64()
         })
         .collect();
-    1e9 * quartile(&mut times, 2) / samples.max(1) as f64
-}
-
-/// The n-th quartile of some times, which it sorts; NaN of none.
-pub fn quartile(times: &mut [f64], n: usize) -> f64 {
-    times.sort_by(f64::total_cmp);
-    let last = times.len().saturating_sub(1);
-    times.get((n * last + 2) / 4).copied().unwrap_or(f64::NAN)
+    1e9 * quartile(&times, 2) / samples.max(1) as f64
 }

@@ -2,6 +2,7 @@
 
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::scene::terms::TERMS;
+use schuler_simulator::scene::values::Values;
 use schuler_simulator::scene::{Algorithm, Link, Scene, SensorErrors};
 
 /// The keys of what is drawn from the seed.
@@ -33,6 +34,6 @@ pub fn check(scene: &Scene) -> Result<(), InputError> {
 fn is_random(errors: &SensorErrors) -> bool {
     let terms = TERMS.iter().filter(|term| term.source.is_random());
     let drawn = terms.filter_map(|term| (term.values)(errors));
-    let rms = errors.gauss_markov.map(|process| process.rms);
-    drawn.chain(rms).any(|values| values != [0.0; 3])
+    let rms = errors.gauss_markov.map(|process| Values::Axes(process.rms));
+    drawn.chain(rms).any(|values| !values.are_zero())
 }

@@ -2,6 +2,7 @@
 
 use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::navigator::Unavailable;
+use schuler_simulator::quartile::quartile;
 use schuler_simulator::timing;
 
 /// Samples of a pass, at most: those of eight runs stay in the second cache.
@@ -26,5 +27,5 @@ pub fn navigation_ns(ground: &Ground, unit: Unit) -> Result<[f64; 2], Unavailabl
             }
         }
     }
-    Ok(turns.map(|mut ns| timing::quartile(&mut ns, 2)))
+    Ok(turns.map(|ns| quartile(&ns, 2)))
 }

@@ -1,6 +1,7 @@
 //! The time of a case: nanoseconds per sample, with all cases measured alternately.
 
 use super::case::Craft;
+use schuler_simulator::quartile::quartile;
 use schuler_simulator::source::Source;
 use schuler_simulator::timing;
 use std::time::Instant;
@@ -41,8 +42,8 @@ pub fn time(
 }
 
 /// The median, and the distance from the first to the third quartile.
-fn median_and_spread(mut times: Vec<f64>) -> (f64, f64) {
-    let [first, median, third] = [1, 2, 3].map(|n| timing::quartile(&mut times, n));
+fn median_and_spread(times: Vec<f64>) -> (f64, f64) {
+    let [first, median, third] = [1, 2, 3].map(|n| quartile(&times, n));
     (median, third - first)
 }
 

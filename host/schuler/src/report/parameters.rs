@@ -4,6 +4,7 @@ use schuler_simulator::course::Path;
 use schuler_simulator::number;
 use schuler_simulator::scene::route::{Origin, Route};
 use schuler_simulator::scene::terms::{Key, TERMS, Term};
+use schuler_simulator::scene::values::Values;
 use schuler_simulator::scene::{Channel, GaussMarkov, Mounting, Scene, SensorErrors, Trajectory};
 use schuler_simulator::units::{self, DEGREE};
 use std::f64::consts::TAU;
@@ -20,6 +21,17 @@ fn axes(values: &[f64; 3], unit: f64, name: &str) -> String {
     match shown.iter().all(|value| *value == shown[0]) {
         true => format!("{} {name}", shown[0]),
         false => format!("{} {name}", shown.join(", ")),
+    }
+}
+
+/// The values of a term: for each axis, or row by row.
+fn shown(values: Values, unit: f64, name: &str) -> String {
+    match values {
+        Values::Axes(values) => axes(&values, unit, name),
+        Values::Rows(rows) => {
+            let row = |row: [f64; 3]| row.map(|value| parameter(value / unit)).join(", ");
+            format!("{} {name}", rows.map(row).join("; "))
+        }
     }
 }
 
@@ -46,7 +58,7 @@ pub fn sensors(scene: &Scene) -> Rows {
         .filter_map(|term| {
             let cell = |sensor, key: Option<Key>| {
                 let values = (term.values)(sensor)?;
-                key.map(|Key { unit, symbol, .. }| axes(&values, unit, symbol))
+                key.map(|Key { unit, symbol, .. }| shown(values, unit, symbol))
             };
             both(term.name, [cell(gyro, term.gyro), cell(accelerometer, term.accelerometer)])
         })

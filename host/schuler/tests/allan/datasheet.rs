@@ -16,7 +16,8 @@ fn units_become_those_of_a_scene() {
         "sheet.toml",
         "sample_rate_hz = 100\n[gyro]\nnoise_density_mdps_sqrt_hz = 5\nin_run_bias_stability_deg_h = 6.642824703\n\
          scale_factor_percent = 0.1\nfull_scale_deg_s = 300\nresolution_mdps = 10\ncross_axis_percent = 0.1\n\
-         g_sensitivity_deg_s_g = 0.01\nbandwidth_hz = 50\n\
+         g_sensitivity_deg_s_g = 0.01\nbandwidth_hz = 50\nlatency_ms = 5\noffset_percent_fs = 1\n\
+         temperature_bias_mdps_k = 5\nnonlinearity_percent_fs = 0.1\n\
          [accelerometer]\nnoise_density_ug_sqrt_hz = 60\nbias_repeatability_mg = 2\nfull_scale_g = 8\n",
     )
     .unwrap();
@@ -29,8 +30,11 @@ fn units_become_those_of_a_scene() {
         ("saturation_deg_s", 300.0),
         // 0.01 °/s × 0.01 s = 1e-4°
         ("quantization_arcsec", 0.36),
-        // 1e-3 rad
-        ("misalignment_arcsec", 206.265),
+        ("bandwidth_hz", 50.0),
+        ("latency_s", 0.005),
+        // 3 °/s
+        ("constant_deg_h", 10800.0),
+        ("temperature_bias_deg_h_k", 18.0),
         ("g_sensitivity_deg_h_g", 36.0),
         // 60e-6 × 9.80665 m/s²/√Hz × 60
         ("velocity_random_walk_m_s_sqrt_h", 0.0353039),
@@ -40,8 +44,15 @@ fn units_become_those_of_a_scene() {
         let found = number(&text, key);
         assert!((found / value - 1.0).abs() < 1e-5, "{key}: {found}");
     }
-    for note in ["B = σ_min/0.664", "bandwidth_hz: left out", "taken as rms", "one small rotation"]
-    {
+    for note in [
+        "B = σ_min/0.664",
+        "nonlinearity_percent_fs: left out",
+        "taken as rms",
+        "so much of both other axes",
+        // 1e-3 rad off the diagonal.
+        "misalignment_matrix_arcsec = [[0, 206.265, 206.265], [206.265, 0, 206.265], [206.265, 206.265, 0]]",
+        "[temperature]",
+    ] {
         assert!(text.contains(note), "{note}: {text}");
     }
     // What is printed is a scene's.
@@ -76,6 +87,11 @@ fn what_is_wrong_in_a_data_sheet_is_told() {
             "[gyro]\nnoise_density_mdps_sqrt_hz = 5\nangle_random_walk_deg_sqrt_h = 1\n",
             &["sheet.toml:2", "another key gives, too"],
         ),
+        ("[gyro]\noffset_percent_fs = 5\n", &["sheet.toml:2", "full scale, which is missing"]),
+        (
+            "[gyro]\nmisalignment_matrix_arcsec = [[0, 1], [1, 0]]\n",
+            &["sheet.toml:2", "three rows [x, y, z]"],
+        ),
         ("sample_rate_hz = 5\n", &["no table of a sensor"]),
     ] {
         let error = sections("sheet.toml", text).unwrap_err().to_string();
@@ -94,6 +110,14 @@ fn a_scene_takes_the_same_units() {
     let [own, sheet] = ["angle_random_walk_deg_sqrt_h = 0.3", "noise_density_mdps_sqrt_hz = 5"]
         .map(|gyro| scene(gyro).unwrap().gyro.white.unwrap()[0]);
     assert!((own / sheet - 1.0).abs() < 1e-14, "{own} {sheet}");
+    let errors =
+        scene("cross_axis_percent = [1, 2, 3]\nfull_scale_deg_s = 100\noffset_percent_fs = 2")
+            .unwrap()
+            .gyro;
+    let expected = [[0.0, 0.01, 0.01], [0.02, 0.0, 0.02], [0.03, 0.03, 0.0]];
+    assert_eq!(errors.misalignment_matrix, Some(expected));
+    let offset = errors.constant.unwrap()[0];
+    assert!((offset / 2f64.to_radians() - 1.0).abs() < 1e-14, "{offset}");
     // What has to be assumed is for `datasheet` to say.
     assert!(scene("in_run_bias_stability_deg_h = 5").is_err());
     let both = "angle_random_walk_deg_sqrt_h = 0.3\nnoise_density_mdps_sqrt_hz = 5";

@@ -6,8 +6,7 @@ use schuler::math::compensated::Pair;
 use schuler_simulator::ensemble::fleet::{self, Flown};
 use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::lanes::Registers;
-use schuler_simulator::navigator;
-use schuler_simulator::navigator::Unavailable;
+use schuler_simulator::navigator::{self, Navigate, Unavailable};
 use schuler_simulator::scene::Vertical;
 use schuler_simulator::scene::{self, Axes, Precision, Scene, WindowShape};
 use schuler_simulator::simulate;
@@ -31,19 +30,18 @@ fn fly(scene: &Scene, unit: Unit, threads: usize) -> Result<Flown, Unavailable> 
     fleet::fly(&Ground::new(scene, &source), RUNS, unit, threads, 3, &|_| {})
 }
 
+/// The navigator of one run, before its first sample.
+fn started(scene: &Scene, ground: &Ground, run: u64) -> Box<dyn Navigate> {
+    let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
+    let (window, order, initial) = (plan.window, plan.order, ground.initial(run));
+    navigator::start(&scene.navigator, window, order, interval_s, &initial).unwrap()
+}
+
 /// A run as `schuler run` flies one: every row is read, every increment worked out for it alone.
 fn alone(scene: &Scene, run: u64) -> Vec<Drift> {
     let source = Source::new(scene, false).unwrap();
     let ground = Ground::new(scene, &source);
-    let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
-    let mut navigator = navigator::start(
-        &scene.navigator,
-        plan.window,
-        plan.order,
-        interval_s,
-        &ground.initial(run),
-    )
-    .unwrap();
+    let mut navigator = started(scene, &ground, run);
     let mut drifts = vec![drift(&ground.initial(run), &source.truth(0))];
     let mut read = |n: u64, row: &_| {
         assert_eq!(n, drifts.len() as u64);
@@ -89,15 +87,7 @@ fn every_run_has_its_own_bits_in_every_unit() {
 fn held_alone(scene: &Scene, run: u64) -> HashMap<u64, [u64; 9]> {
     let source = Source::new(scene, false).unwrap();
     let ground = Ground::new(scene, &source);
-    let (plan, interval_s) = (ground.plan, Pair::new(scene.rate_hz).reciprocal());
-    let mut navigator = navigator::start(
-        &scene.navigator,
-        plan.window,
-        plan.order,
-        interval_s,
-        &ground.initial(run),
-    )
-    .unwrap();
+    let mut navigator = started(scene, &ground, run);
     let mut ends = HashMap::new();
     let mut stream = source.start(run);
     for _ in 0..scene.samples() {

@@ -8,6 +8,7 @@ mod errors;
 mod keys;
 mod navigators;
 mod paths;
+mod response;
 mod sampling;
 mod terms;
 mod units;

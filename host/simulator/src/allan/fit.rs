@@ -32,24 +32,36 @@ pub struct Found {
     pub square: f64,
     /// The standard deviation of the square.
     pub sigma: f64,
+    /// The same if the term were absent: what the other terms alone make of it.
+    pub sigma_absent: f64,
 }
 
 impl Found {
+    /// A square with the standard deviation that it has whatever its size.
+    pub fn new(shape: Shape, square: f64, sigma: f64) -> Self {
+        Self { shape, square, sigma, sigma_absent: sigma }
+    }
+
     /// The magnitude.
     pub fn magnitude(&self) -> f64 {
         self.square.sqrt()
     }
 
-    /// The 95 % interval of the magnitude. Downwards the square is taken as normal, so that it may be 0; upwards
-    /// as χ² of 2p²/σ² degrees of freedom, since what is larger scatters more.
+    /// The 95 % interval of the magnitude. A larger term scatters more: a square s with the variance
+    /// σ₀² + (σ² − σ₀²)(s/p)², σ₀ where the term is absent and σ where it is the p that was found. Downwards it is
+    /// taken as normal, so that it may be 0; upwards as χ² of 2p²/σ² degrees of freedom.
     pub fn interval(&self) -> [f64; 2] {
-        let off = NORMAL_95 * self.sigma;
-        let freedom = 2.0 * (self.square / self.sigma).powi(2);
+        let (p, off) = (self.square, NORMAL_95 * self.sigma);
+        let absent = (NORMAL_95 * self.sigma_absent.min(self.sigma)).powi(2);
+        // The lesser root of (p − s)² = a + b s²
+        let rest = p * p - absent;
+        let growth = (off * off - absent) / (p * p);
+        let least = if rest > 0.0 { rest / (p + (absent + growth * rest).sqrt()) } else { 0.0 };
+        let freedom = 2.0 * (p / self.sigma).powi(2);
         let share = 2.0 / (9.0 * freedom.max(LEAST_FREEDOM));
         // Wilson and Hilferty's quantile.
-        let least = (1.0 - share - NORMAL_95 * share.sqrt()).powi(3);
-        let most = (self.square / least).max(self.square + off);
-        [(self.square - off).max(0.0).sqrt(), most.sqrt()]
+        let quantile = (1.0 - share - NORMAL_95 * share.sqrt()).powi(3);
+        [least.sqrt(), (p / quantile).max(p + off).sqrt()]
     }
 
     /// Whether it can be told from nothing in this span.
@@ -124,6 +136,21 @@ impl Fitter {
 
     /// Fits terms of some shapes to variances at the points.
     pub fn fit(&mut self, variances: &[f64], shapes: &[Shape]) -> Fit {
+        let mut fit = self.try_fit(variances, shapes);
+        let squares: Vec<f64> = fit.terms.iter().map(|found| found.square).collect();
+        for (i, found) in fit.terms.iter_mut().enumerate().filter(|(_, found)| found.square > 0.0) {
+            let mut others = squares.clone();
+            others[i] = 0.0;
+            if others.iter().any(|square| *square > 0.0) {
+                let absent = self.solve_as(variances, shapes, shapes, &others);
+                found.sigma_absent = absent.sigmas[i];
+            }
+        }
+        fit
+    }
+
+    /// The same, with intervals that are a little long downwards.
+    pub fn try_fit(&mut self, variances: &[f64], shapes: &[Shape]) -> Fit {
         self.learn(shapes);
         let columns = columns(&self.points, shapes);
         // First as if each point were white noise of its own size.
@@ -218,8 +245,8 @@ impl Fitter {
         let chi_square = forward(&definite(correlation), &z).iter().map(|z| z * z).sum();
         let used = solution.values.iter().filter(|square| **square > 0.0).count();
         let found = shapes.iter().zip(&solution.values).zip(&solution.sigmas);
-        let terms =
-            found.map(|((&shape, &square), &sigma)| Found { shape, square, sigma }).collect();
+        let terms = found.map(|((&shape, &square), &sigma)| Found::new(shape, square, sigma));
+        let terms = terms.collect();
         Fit { terms, expected, freedom, chi_square, left: n.saturating_sub(used).max(1) }
     }
 }

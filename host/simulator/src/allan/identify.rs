@@ -35,7 +35,7 @@ pub fn identify(fitter: &mut Fitter, variances: &[f64], timing: Timing<f64>) -> 
         let mut with = |correlation_s: f64| {
             let mut with = shapes.clone();
             with.push(Shape::GaussMarkov(correlation_s));
-            fitter.fit(variances, &with)
+            fitter.try_fit(variances, &with)
         };
         let ratio = longest_s / shortest_s;
         let coarse = (0..=12).map(|i| shortest_s * ratio.powf(f64::from(i) / 12.0));
@@ -46,7 +46,7 @@ pub fn identify(fitter: &mut Fitter, variances: &[f64], timing: Timing<f64>) -> 
             let best = with(best_s);
             if all.chi_square - best.chi_square > WORTH {
                 shapes.push(Shape::GaussMarkov(best_s));
-                all = best;
+                all = fitter.fit(variances, &shapes);
             }
         }
     }

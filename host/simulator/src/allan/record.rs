@@ -8,6 +8,7 @@ use crate::recording::rows::Recording;
 use crate::recording::survey::Survey;
 use crate::recording::timeline::{self, Timeline};
 use crate::scene::Scene;
+use crate::scene::terms::TERMS;
 use crate::source::{Source, SourceError};
 use schuler::allan::octaves::{Octaves, Point};
 use schuler::sample::Increment;
@@ -94,14 +95,11 @@ pub fn of_scene(scene: &Scene) -> Result<Record, SceneError> {
             "a sensor was at its limit in {samples} samples, which look like errors"
         ));
     }
-    let shows = |errors: &crate::scene::SensorErrors| {
-        errors.scale_factor.is_some()
-            || errors.misalignment.is_some()
-            || errors.g_sensitivity.is_some()
-    };
+    let shows =
+        |errors: &crate::scene::SensorErrors| TERMS.iter().any(|term| term.follows_motion(errors));
     if !source.is_constant() && (shows(&scene.gyro) || shows(&scene.accelerometer)) {
         said.push(
-            "the scene moves: its motion times scale factor, misalignment and g-sensitivity is in the deviation"
+            "the scene moves: what its motion makes of scale factor, misalignment, g-sensitivity, bandwidth and latency is in the deviation"
                 .to_owned(),
         );
     }

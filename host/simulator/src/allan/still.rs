@@ -3,7 +3,7 @@
 //! The means of pieces of a second hardly differ from piece to piece at rest, whatever the sensor's errors. A
 //! step far beyond the usual one is motion, and so is a piece that scatters far more within.
 
-use super::TRIADS;
+use crate::quartile::quartile;
 use schuler::sample::Increment;
 
 /// Length of the pieces, s, and their fewest samples.
@@ -77,9 +77,9 @@ impl Stillness {
                 .map(|pair| (pair[1].mean[axis] - pair[0].mean[axis]).abs())
                 .collect();
             // The median of |x| is 0.6745 σ of normal deviates.
-            let usual = median(&steps) / 0.6745;
+            let usual = quartile(&steps, 2) / 0.6745;
             let scatter: Vec<f64> = self.pieces.iter().map(|piece| piece.scatter[axis]).collect();
-            let usual_scatter = median(&scatter);
+            let usual_scatter = quartile(&scatter, 2);
             for (i, step) in steps.iter().enumerate() {
                 if usual > 0.0 && *step > STEP * usual {
                     moved[i].get_or_insert(axis);
@@ -125,12 +125,5 @@ pub const AXES: [&str; 6] =
 pub fn six(increment: &Increment<f64>) -> [f64; 6] {
     let [a, b, c] = increment.angle_b.into_array();
     let [x, y, z] = increment.velocity_b.into_array();
-    debug_assert_eq!(TRIADS.len(), 2, "two triads");
     [a, b, c, x, y, z]
-}
-
-fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
 }

@@ -98,7 +98,7 @@ pub fn compare(
     let whole = fitter.judge_as(variances, &shapes, &squares);
     let solution = fitter.solve_as(variances, &shapes, &shapes, &squares);
     let found = shapes.iter().zip(&solution.values).zip(&solution.sigmas);
-    let found = found.map(|((&shape, &square), &sigma)| Found { shape, square, sigma });
+    let found = found.map(|((&shape, &square), &sigma)| Found::new(shape, square, sigma));
     let compared = found.zip(&squares).map(|(found, &square)| {
         let verdict = if is_far(found.square, square, found.sigma) {
             Verdict::Differs

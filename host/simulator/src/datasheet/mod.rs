@@ -35,6 +35,9 @@ pub fn sections(file: &str, text: &str) -> Result<String, InputError> {
             any = true;
         }
     }
+    if out.lines().any(|line| line.starts_with("temperature_")) {
+        out += "[temperature]\noffset_k = 0 # what the sensors are warmer than when they were calibrated\n";
+    }
     if !any {
         let complaint =
             Complaint::new("has no table of a sensor", "[gyro], [accelerometer] or both");
@@ -57,12 +60,10 @@ fn set(
     values: [f64; 3],
     section: &Section<'_>,
 ) -> Result<(), InputError> {
-    let slot = (entry.slot)(errors);
-    if slot.is_some() {
+    if !entry.slot.set(errors, values) {
         let what = format!("gives {}, which another key gives, too", entry.gives);
         return Err(section.blame(entry.key, Complaint::new(what, "one of the two")));
     }
-    *slot = Some(values);
     Ok(())
 }
 
@@ -72,13 +73,40 @@ pub fn read_units(
     triad: usize,
     errors: &mut SensorErrors,
 ) -> Result<(), InputError> {
-    for entry in entries::of(triad).iter().filter(|entry| entry.is_unit()) {
+    for entry in in_order(triad).filter(|entry| entry.is_unit()) {
         if let Some(value) = section.get(entry.key) {
             let values = value.axes(&entry.range)?.map(|x| x * entry.factor);
+            let values = whole(entry, values, errors, section)?;
             set(errors, entry, values, section)?;
         }
     }
     Ok(())
+}
+
+/// The entries of a triad, shares of the full scale last.
+fn in_order(triad: usize) -> impl Iterator<Item = &'static Entry> {
+    let [own, shares] = [false, true].map(|shares| {
+        entries::of(triad).iter().filter(move |entry| entry.is_of_full_scale() == shares)
+    });
+    own.chain(shares)
+}
+
+/// Values of a share, times the full scale that it is a share of.
+fn whole(
+    entry: &Entry,
+    values: [f64; 3],
+    errors: &SensorErrors,
+    section: &Section<'_>,
+) -> Result<[f64; 3], InputError> {
+    if !entry.is_of_full_scale() {
+        return Ok(values);
+    }
+    let Some(full) = errors.saturation else {
+        let what = "is a share of the full scale, which is missing";
+        let complaint = Complaint::new(what, "full_scale or saturation in the same table");
+        return Err(section.blame(entry.key, complaint));
+    };
+    Ok(std::array::from_fn(|i| values[i] * full[i]))
 }
 
 fn one(
@@ -92,10 +120,10 @@ fn one(
     for term in TERMS {
         let Some(key) = [term.gyro, term.accelerometer][triad] else { continue };
         if let Some(value) = section.get(key.key) {
-            *(term.values_mut)(&mut errors) = Some(value.axes(&term.range)?.map(|x| x * key.unit));
+            (term.set)(&mut errors, Some(term.read(&value)?.map(|x| x * key.unit)));
         }
     }
-    for entry in entries::of(triad) {
+    for entry in in_order(triad) {
         let Some(value) = section.get(entry.key) else { continue };
         let mut values = value.axes(&entry.range)?.map(|x| x * entry.factor);
         if entry.gives.starts_with("quantization") {
@@ -106,6 +134,7 @@ fn one(
             };
             values = values.map(|x| x * interval_s);
         }
+        let values = whole(entry, values, &errors, section)?;
         set(&mut errors, entry, values, section)?;
         let is_walk = walks && entry.gives.starts_with("bias_instability");
         if !entry.assumed.is_empty() && !is_walk {
@@ -170,8 +199,7 @@ fn written(triad: usize, errors: &SensorErrors, notes: &[String]) -> String {
     for term in TERMS {
         let Some(key) = [term.gyro, term.accelerometer][triad] else { continue };
         if let Some(values) = (term.values)(errors) {
-            let [x, y, z] = values.map(|x| parameter(x / key.unit));
-            let values = if x == y && y == z { x } else { format!("[{x}, {y}, {z}]") };
+            let values = values.written(|x| parameter(x / key.unit));
             let _ = writeln!(text, "{} = {values}", key.key);
         }
     }

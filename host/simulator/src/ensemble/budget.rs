@@ -10,6 +10,7 @@ use super::kept::Kept;
 use crate::flight::Nine;
 use crate::navigator::Unavailable;
 use crate::scene::terms::{Source as Kind, TERMS};
+use crate::scene::values::Values;
 use crate::scene::{InitialError, Scene, SensorErrors};
 use crate::simulate::nine;
 use crate::source::{Source, SourceError};
@@ -56,12 +57,13 @@ pub fn terms(scene: &Scene) -> Vec<Term> {
     for (sensor, place, of, of_mut) in triads {
         for term in TERMS {
             let values = (term.values)(of(scene));
-            if values.is_none_or(|values| values == [0.0; 3]) {
+            if values.is_none_or(Values::are_zero) {
                 continue;
             }
             let (mut alone, mut without) = (perfect.clone(), scene.clone());
-            *(term.values_mut)(of_mut(&mut alone)) = values;
-            *(term.values_mut)(of_mut(&mut without)) = None;
+            (term.set)(of_mut(&mut alone), values);
+            (term.set)(of_mut(&mut without), None);
+            of_mut(&mut alone).temperature = of(scene).temperature;
             let name = format!("{sensor} {}", own_name(term.name, place));
             let is_in_theory = !matches!(term.source, Kind::LeftOut);
             terms.push(Term { name, is_in_theory, alone, without });

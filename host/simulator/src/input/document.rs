@@ -195,6 +195,21 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// Three rows of three numbers.
+    pub fn rows(&self, range: &Range) -> Result<[[f64; 3]; 3], InputError> {
+        let accepted = format!("three rows [x, y, z] of numbers: {}", range.accepted);
+        let items = self.items(&accepted)?;
+        let [x, y, z] = items.as_slice() else {
+            let what = format!("has {} rows", items.len());
+            return Err(self.error(Complaint::new(what, accepted)));
+        };
+        let row = |value: &Value<'_>| match value.is_list() {
+            true => value.axes(range),
+            false => Err(value.mismatch(&accepted)),
+        };
+        Ok([row(x)?, row(y)?, row(z)?])
+    }
+
     /// An integer from `least` to `most`.
     pub fn integer(&self, least: u64, most: u64) -> Result<u64, InputError> {
         let accepted = format!("an integer from {least} to {most}");

@@ -6,38 +6,18 @@ use super::pack::{Lanes, Task};
 use super::sealed::Sealed;
 use super::stream::LaneStream;
 use super::words::Words;
-use schuler::math::real::{Real, one_number, wrapped_constants};
+use schuler::math::real::{Real, one_number, wrapped_constants, wrapped_operators};
 use schuler::math::twin::Both;
 use schuler::noise::Streams;
 use schuler::noise::random::Random;
 use schuler::record::Record;
-use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Sub};
+use std::ops::{Add, BitAnd, BitOr, BitXor};
 
 /// A number of one run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct One(pub f64);
 
-macro_rules! operators {
-    ($($op:ident $f:ident),+) => {
-        $(impl $op for One {
-            type Output = Self;
-            #[inline(always)]
-            fn $f(self, b: Self) -> Self {
-                Self($op::$f(self.0, b.0))
-            }
-        })+
-    };
-}
-
-operators!(Add add, Sub sub, Mul mul, Div div);
-
-impl Neg for One {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self(-self.0)
-    }
-}
+wrapped_operators!(One);
 
 impl Real for One {
     one_number!();

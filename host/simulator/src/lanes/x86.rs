@@ -24,8 +24,6 @@ macro_rules! call {
     };
 }
 
-mod words;
-
 macro_rules! operators {
     ($name:ident: $($op:ident $f:ident $intrinsic:ident),+) => {
         $(impl $op for $name {
@@ -37,6 +35,8 @@ macro_rules! operators {
         })+
     };
 }
+
+mod words;
 
 /// A register of so many numbers, with the processor's features and intrinsics for it; what compares
 /// stands apart, since masks differ.

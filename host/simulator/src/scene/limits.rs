@@ -7,6 +7,7 @@ use crate::course::HARMONICS;
 use crate::input::{Complaint, Range};
 use crate::units::DEGREE;
 use schuler::earth::SEMI_MAJOR_AXIS;
+use schuler::sensor::latency::LONGEST;
 use schuler::strapdown::block::window::NAMED;
 use schuler::trajectory::Trajectory as _;
 use std::f64::consts::TAU;
@@ -182,7 +183,24 @@ pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
             return Err(("trajectory.altitude_m", complaint));
         }
     }
+    latency(scene)?;
     jitter(scene)
+}
+
+/// Refuses a latency of more samples than the core keeps.
+fn latency(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
+    let longest_s = f64::from(LONGEST) / scene.rate_hz;
+    let sensors =
+        [("gyro.latency_s", &scene.gyro), ("accelerometer.latency_s", &scene.accelerometer)];
+    for (key, errors) in sensors {
+        let delays = errors.latency.into_iter().flatten();
+        if let Some(delay_s) = delays.into_iter().find(|delay_s| *delay_s > longest_s) {
+            let what = format!("{delay_s} s is more than {LONGEST} samples");
+            let accepted = format!("seconds, from 0 to {longest_s}");
+            return Err((key, Complaint::new(what, accepted)));
+        }
+    }
+    Ok(())
 }
 
 /// Refuses a jitter that would change the order of samples.

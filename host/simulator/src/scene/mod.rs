@@ -4,12 +4,14 @@
 
 pub mod build;
 pub mod builtin;
+pub mod felt;
 pub mod keys;
 pub mod limits;
 pub mod navigator;
 pub mod parse;
 pub mod route;
 pub mod terms;
+pub mod values;
 pub mod window;
 
 use crate::course::Path;
@@ -177,12 +179,44 @@ pub struct SensorErrors {
     pub scale_factor: Option<[f64; 3]>,
     /// Small rotation of the sensor triad, rad.
     pub misalignment: Option<[f64; 3]>,
+    /// What each sensor feels of the body axes besides its own, rad, a row for each.
+    pub misalignment_matrix: Option<[[f64; 3]; 3]>,
     /// Gyro only: rad/s per m/s² along the same axis.
     pub g_sensitivity: Option<[f64; 3]>,
+    /// Gyro only: rad/s per m/s² along the body axes, a row for each gyro.
+    pub g_sensitivity_matrix: Option<[[f64; 3]; 3]>,
+    /// Bias for each kelvin above the temperature of calibration, angle/s/K.
+    pub temperature_bias: Option<[f64; 3]>,
+    /// Relative scale factor error for each kelvin, 1/K.
+    pub temperature_scale: Option<[f64; 3]>,
+    /// The temperature that these two follow.
+    pub temperature: Option<Temperature>,
+    /// Frequency of −3 dB of a first-order lag, Hz.
+    pub bandwidth: Option<[f64; 3]>,
+    /// Delay of the motion that is read, s.
+    pub latency: Option<[f64; 3]>,
     /// Least significant bit of the increments, angle.
     pub quantization: Option<[f64; 3]>,
     /// Largest output, angle/s.
     pub saturation: Option<[f64; 3]>,
+}
+
+/// The sensors' temperature above that of their calibration: a ramp, then constant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Temperature {
+    /// At the start, K.
+    pub offset_k: f64,
+    /// How fast it rises, K/s.
+    pub rate_k_s: f64,
+    /// When it stops to rise, s.
+    pub until_s: f64,
+}
+
+impl Temperature {
+    /// At a time, s.
+    pub fn at(&self, time_s: f64) -> f64 {
+        self.offset_k + self.rate_k_s * time_s.min(self.until_s)
+    }
 }
 
 /// A first-order Gauss-Markov process.

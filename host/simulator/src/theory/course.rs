@@ -53,8 +53,8 @@ pub struct Course {
 pub struct Instant {
     pub time_s: f64,
     pub motion: Motion<f64>,
-    /// What the sensors should read.
-    pub rates: Rates<f64>,
+    /// What the sensors read too much on average.
+    pub systematic: Rates<f64>,
     pub dynamics: ErrorDynamics<f64>,
 }
 
@@ -104,7 +104,10 @@ impl Course {
         let motion = self.trajectory.at(time_s);
         let rates = self.trajectory.rates_at(Pair::new(time_s));
         let dynamics = ErrorDynamics::new(&motion, &rates, self.vertical_held);
-        Instant { time_s, motion, rates, dynamics }
+        let earlier =
+            |seconds: f64| self.trajectory.rates_at(Pair::new((time_s - seconds).max(0.0)));
+        let systematic = self.sources.systematic(&rates, time_s, &earlier);
+        Instant { time_s, motion, systematic, dynamics }
     }
 
     /// Mean and covariance of the drift, from those of the error.

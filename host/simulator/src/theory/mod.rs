@@ -3,7 +3,8 @@
 //! Along the true motion, small errors obey ẋ = F x + G u (`schuler::drift::linear`). Systematic
 //! sensor errors and initial errors determine the mean, random ones the covariance. The linear model does
 //! not include saturation, samples lost or late on the link, quantization so coarse that the signal does not
-//! cross several steps per sample, and errors that are too large.
+//! cross several steps per sample, and errors that are too large. Bandwidth and latency act on the motion
+//! alone: what they do to noise is over within their own time, and their products with other errors are small.
 //! [`Theory::outside`] tells when the model no longer applies.
 
 mod course;

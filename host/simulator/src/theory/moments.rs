@@ -81,7 +81,7 @@ impl Moments {
     pub fn rate(&self, at: &Instant, course: &Course, fast: &Fast, to: &mut Self) {
         let (dynamics, sources) = (&at.dynamics, &course.sources);
         // ṁ = F m + G u
-        to.mean = dynamics.growth(&self.mean) + dynamics.drive(&sources.systematic(&at.rates));
+        to.mean = dynamics.growth(&self.mean) + dynamics.drive(&at.systematic);
         to.second = dynamics.growth(&self.second) + dynamics.second_order(&self.attitude_square());
         if !course.random {
             return;

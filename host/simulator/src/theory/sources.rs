@@ -1,7 +1,9 @@
 //! A scene's sensor errors in the linear model: a systematic part that determines the mean, and
 //! independent scalar processes that determine the covariance.
 
+use crate::scene::felt::Felt;
 use crate::scene::terms::{Source, TERMS, Term};
+use crate::scene::values::Values;
 use crate::scene::{Scene, SensorErrors};
 use schuler::math::vector::Vector;
 use schuler::sample::Rates;
@@ -90,27 +92,35 @@ impl Sources {
     pub fn are_systematic(&self) -> bool {
         [&self.gyro, &self.accelerometer].into_iter().any(|errors| {
             let systematic = TERMS.iter().filter(|t| matches!(t.source, Source::Systematic(_)));
-            systematic.filter_map(|term| (term.values)(errors)).any(|v| v != [0.0; 3])
+            systematic.filter_map(|term| (term.values)(errors)).any(|values| !values.are_zero())
         })
     }
 
-    /// What the sensors read too much on average, when they should read `rates`.
-    pub fn systematic(&self, rates: &Rates<f64>) -> Rates<f64> {
-        let Rates { rate_ib_b, specific_force_b } = *rates;
-        let part = |errors: &SensorErrors, x: Vector<f64>| {
-            // constant + S·x − m × x + G·f
+    /// What the sensors read too much on average at a time, s, when they should read `rates`, and should have
+    /// read `earlier` so many seconds before.
+    pub fn systematic(
+        &self,
+        rates: &Rates<f64>,
+        time_s: f64,
+        earlier: &dyn Fn(f64) -> Rates<f64>,
+    ) -> Rates<f64> {
+        let part = |errors: &SensorErrors, of: fn(Rates<f64>) -> Vector<f64>| {
+            let felt = Felt {
+                x: of(*rates),
+                f: rates.specific_force_b,
+                warmer_k: errors.temperature.map_or(0.0, |temperature| temperature.at(time_s)),
+                earlier: &|seconds| of(earlier(seconds)),
+            };
+            // constant + S·x − m × x + G·f + …
             let parts = TERMS.iter().filter_map(|term| match term.source {
-                Source::Systematic(part) => {
-                    let k = Vector::from((term.values)(errors).unwrap_or_default());
-                    Some(part(k, x, specific_force_b))
-                }
+                Source::Systematic(part) => Some(part((term.values)(errors)?, &felt)),
                 _ => None,
             });
-            parts.reduce(|sum, part| sum + part).unwrap_or(Vector::ZERO)
+            parts.fold(Vector::ZERO, |sum, part| sum + part)
         };
         Rates {
-            rate_ib_b: part(&self.gyro, rate_ib_b),
-            specific_force_b: part(&self.accelerometer, specific_force_b),
+            rate_ib_b: part(&self.gyro, |rates| rates.rate_ib_b),
+            specific_force_b: part(&self.accelerometer, |rates| rates.specific_force_b),
         }
     }
 }
@@ -118,7 +128,8 @@ impl Sources {
 /// The values of the term that theory takes so; 0 where it is absent.
 fn values(errors: &SensorErrors, source: Source) -> [f64; 3] {
     let is_it = |term: &&Term| mem::discriminant(&term.source) == mem::discriminant(&source);
-    TERMS.iter().find(is_it).and_then(|term| (term.values)(errors)).unwrap_or_default()
+    let found = TERMS.iter().find(is_it).and_then(|term| (term.values)(errors));
+    found.map_or([0.0; 3], Values::axes)
 }
 
 /// One unit of error of one sensor.

@@ -55,6 +55,7 @@ fn gyro(timing: Timing<f64>) -> Result<Triad<f64>, ParameterError> {
         g_sensitivity: Some(GSensitivity::new(all(0.1, DEGREE_PER_HOUR_PER_G))?),
         saturation: Some(Saturation::new(axes(280.0, 60.0, 60.0, DEGREE), timing)?),
         quantization: Some(Quantization::new(all(0.2, ARCSECOND))?),
+        ..Triad::PERFECT
     })
 }
 
@@ -70,8 +71,8 @@ fn accelerometer(timing: Timing<f64>) -> Result<Triad<f64>, ParameterError> {
         flicker: Some(Flicker::new(all(25.0, MICRO_G), timing)?),
         scale_factor: Some(ScaleFactor::new(axes(-60.0, 40.0, 20.0, PART_PER_MILLION))?),
         misalignment: Some(Misalignment::new(axes(-12.0, 18.0, 9.0, ARCSECOND))?),
-        g_sensitivity: None,
         saturation: Some(Saturation::new(axes(9.0, 9.0, 5.0, STANDARD_GRAVITY), timing)?),
         quantization: Some(Quantization::new(all(1e-4, 1.0))?),
+        ..Triad::PERFECT
     })
 }

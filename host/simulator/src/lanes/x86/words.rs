@@ -13,13 +13,7 @@ macro_rules! register {
         #[derive(Clone, Copy)]
         pub struct $name(pub(super) $register);
 
-        $(impl $op for $name {
-            type Output = Self;
-            #[inline(always)]
-            fn $f(self, b: Self) -> Self {
-                Self(call!($intrinsic(self.0, b.0)))
-            }
-        })+
+        operators!($name: $($op $f $intrinsic),+);
 
         impl Words<$n> for $name {
             #[inline(always)]

@@ -15,6 +15,7 @@ table! {
     TRAJECTORY = "trajectory": Said("a table"), "rest at 0° N 0° E", "the true motion";
     GYROS = "gyro": Said("a table"), "perfect gyros", "the errors of the gyros";
     ACCELEROMETERS = "accelerometer": Said("a table"), "perfect accelerometers", "the errors of the accelerometers";
+    TEMPERATURES = "temperature": Said("a table"), "that of calibration", "the temperature of the sensors";
     INITIAL_ERROR = "initial_error": Said("a table"), "none", "what the navigator's start is off by";
     NAVIGATION = "navigator": Said("a table"), "its defaults", "how the samples are navigated";
     LINKED = "link": Said("a table"), "nothing is lost", "what happens to samples on their way";
@@ -44,6 +45,17 @@ table! {
     LINK = "[link]", "What happens to samples on their way.";
     LOSS = "loss": Number(limits::LOSS), "0", "the share of samples that is lost";
     JITTER = "jitter_s": Number(Range::NOT_NEGATIVE), "0", "rms of the time of a sample; at most a tenth of a sample";
+}
+
+const KELVIN: Range = Range::from_to(-1000.0, 1000.0, "K, from -1000 to 1000");
+const KELVIN_A_MINUTE: Range = Range::from_to(-1e4, 1e4, "K/min, from -1e4 to 1e4");
+
+table! {
+    /// The temperature of the sensors.
+    TEMPERATURE = "[temperature]", "What the sensors are warmer than when they were calibrated: a ramp, then constant.";
+    OFFSET = "offset_k": Number(KELVIN), "0", "at the start";
+    RAMP = "ramp_k_min": Number(KELVIN_A_MINUTE), "0", "how fast it rises, per minute";
+    UNTIL = "until_s": Number(SECONDS), "the end of the flight", "when it stops to rise";
 }
 
 const SECONDS: Range = Range { accepted: "seconds, above 0", ..Range::POSITIVE };

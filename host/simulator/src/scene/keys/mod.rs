@@ -17,7 +17,7 @@ use crate::flight::Nine;
 use crate::input::key::Table;
 use std::fmt::Write as _;
 
-const TABLES: [&Table; 17] = [
+const TABLES: [&Table; 18] = [
     &general::ROOT,
     &motion::TRAJECTORY,
     &motion::CHANNEL,
@@ -31,6 +31,7 @@ const TABLES: [&Table; 17] = [
     &general::NAVIGATOR,
     &general::WINDOW,
     &general::LINK,
+    &general::TEMPERATURE,
     &general::GYRO,
     &general::ACCELEROMETER,
     &general::GYRO_MARKOV,
@@ -47,14 +48,15 @@ pub fn reference() -> String {
         text += "\n";
         text += &table.reference();
     }
-    text += "\n## Errors of the sensors\n\nEach takes one number for all axes, or [x, y, z]; what is absent is \
-             perfect.\n\n| error | in [gyro] | in [accelerometer] | takes |\n|---|---|---|---|\n";
+    text += "\n## Errors of the sensors\n\nEach takes one number for all axes, or [x, y, z], but where it says rows; what is absent \
+             is perfect.\n\n| error | in [gyro] | in [accelerometer] | takes |\n|---|---|---|---|\n";
     let name = |key: Option<Term>| key.map_or(String::new(), |key| format!("`{}`", key.key));
     for term in TERMS {
         let (gyro, accelerometer) = (name(term.gyro), name(term.accelerometer));
+        let rows = if term.is_matrix { "three rows [x, y, z]: " } else { "" };
         let takes = term.range.accepted;
         // A String takes all that is written.
-        let _ = writeln!(text, "| {} | {gyro} | {accelerometer} | {takes} |", term.name);
+        let _ = writeln!(text, "| {} | {gyro} | {accelerometer} | {rows}{takes} |", term.name);
     }
     text += "\n### In the units of data sheets\n\nThe same terms may be given so:\n\n| in | key | gives |\n|---|---|---|\n";
     for (triad, table) in TRIADS.iter().enumerate() {

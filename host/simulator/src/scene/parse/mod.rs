@@ -26,16 +26,18 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let title = root.get("title").map(|v| v.text("text")).transpose()?;
     let trajectory = trajectory::read(&root, file)?;
+    let duration_s = duration_s(&root, &trajectory)?;
+    let [gyro, accelerometer] = sensors::both(&root, duration_s)?;
     let scene = Scene {
         title: title.unwrap_or(&name).to_owned(),
         name,
         text_sha256: hash(text),
-        duration_s: duration_s(&root, &trajectory)?,
+        duration_s,
         rate_hz: root.number("rate_hz", &limits::RATE_HZ)?,
         seed: root.get("seed").map_or(Ok(1), |v| v.integer(0, u64::MAX))?,
         trajectory,
-        gyro: sensors::gyro(&root)?,
-        accelerometer: sensors::accelerometer(&root)?,
+        gyro,
+        accelerometer,
         initial_error: initial_error(&root)?,
         navigator: navigation(&root)?,
         link: link(&root)?,

@@ -3,21 +3,48 @@
 use crate::allan::TRIADS;
 use crate::datasheet::{self, entries};
 use crate::input::document::Section;
-use crate::input::{InputError, Range};
+use crate::input::{Complaint, InputError, Range};
+use crate::scene::keys::general as keys;
 use crate::scene::terms::{Key, TERMS, Term};
-use crate::scene::{GaussMarkov, SensorErrors};
+use crate::scene::{GaussMarkov, SensorErrors, Temperature};
 use crate::units::{DEGREE_PER_HOUR, MICRO_G};
 
 const RMS: Range = Range::NOT_NEGATIVE;
 
-/// The `[gyro]` table: rad, rad/s.
-pub fn gyro(root: &Section<'_>) -> Result<SensorErrors, InputError> {
-    sensor(root, 0, |term| term.gyro, "rms_deg_h", DEGREE_PER_HOUR)
+/// The `[gyro]` table, rad, rad/s, and the `[accelerometer]` table, m/s, m/s².
+pub fn both(root: &Section<'_>, duration_s: f64) -> Result<[SensorErrors; 2], InputError> {
+    let mut gyro = sensor(root, 0, |term| term.gyro, "rms_deg_h", DEGREE_PER_HOUR)?;
+    let mut accelerometer = sensor(root, 1, |term| term.accelerometer, "rms_ug", MICRO_G)?;
+    let temperature = temperature(root, duration_s)?;
+    let mut warmed = false;
+    for errors in [&mut gyro, &mut accelerometer] {
+        if errors.temperature_bias.is_some() || errors.temperature_scale.is_some() {
+            errors.temperature = temperature;
+            warmed = true;
+        }
+    }
+    let complaint = match (warmed, temperature) {
+        (true, None) => Complaint::new(
+            "is missing, and a sensor has a coefficient of it",
+            "a table with ramp_k_min or offset_k",
+        ),
+        (false, Some(_)) => Complaint::new(
+            "changes nothing: no sensor has a coefficient of it",
+            "temperature_bias or temperature_scale_factor in [gyro] or [accelerometer]",
+        ),
+        _ => return Ok([gyro, accelerometer]),
+    };
+    Err(root.blame("temperature", complaint))
 }
 
-/// The `[accelerometer]` table: m/s, m/s².
-pub fn accelerometer(root: &Section<'_>) -> Result<SensorErrors, InputError> {
-    sensor(root, 1, |term| term.accelerometer, "rms_ug", MICRO_G)
+/// The `[temperature]` table.
+fn temperature(root: &Section<'_>, duration_s: f64) -> Result<Option<Temperature>, InputError> {
+    let Some(section) = root.table("temperature", &keys::TEMPERATURE)? else { return Ok(None) };
+    Ok(Some(Temperature {
+        offset_k: section.read(&keys::OFFSET)?.unwrap_or(0.0),
+        rate_k_s: section.read(&keys::RAMP)?.unwrap_or(0.0) / 60.0,
+        until_s: section.read(&keys::UNTIL)?.unwrap_or(duration_s),
+    }))
 }
 
 fn sensor(
@@ -36,7 +63,7 @@ fn sensor(
     for term in TERMS {
         let Some(Key { key, unit, .. }) = key_of(term) else { continue };
         if let Some(value) = section.get(key) {
-            *(term.values_mut)(&mut errors) = Some(value.axes(&term.range)?.map(|x| x * unit));
+            (term.set)(&mut errors, Some(term.read(&value)?.map(|x| x * unit)));
         }
     }
     datasheet::read_units(&section, triad, &mut errors)?;

@@ -7,6 +7,7 @@ use crate::course::Path;
 use crate::input::document::{Section, Value};
 use crate::input::{Complaint, InputError, Range, read_text};
 use crate::number;
+use crate::quartile::quartile;
 use crate::recording::table::{self, Column, Table};
 use crate::reference::Track;
 use crate::scene::keys::{motion, path as keys};
@@ -92,7 +93,10 @@ pub fn read(root: &Section<'_>, scene: &str) -> Result<Made, InputError> {
         Some(said) => said,
     };
     let noise = noise(&section)?;
-    let max_gap_s = section.read(&keys::GAP)?.unwrap_or_else(|| GAP * median(&log.times_s));
+    let max_gap_s = section.read(&keys::GAP)?.unwrap_or_else(|| {
+        let steps = log.times_s.windows(2).map(|two| two[1] - two[0]);
+        GAP * quartile(&steps.collect::<Vec<_>>(), 2)
+    });
 
     let count = log.places.len();
     let mut positions = vec![[0.0; 4]; count];
@@ -199,12 +203,6 @@ fn two(value: &Value<'_>, range: &Range) -> Result<[f64; 2], InputError> {
         return Err(value.error(Complaint::new(what, keys::NOISE.accepted())));
     };
     Ok([horizontal.number(range)?, vertical.number(range)?])
-}
-
-fn median(times_s: &[f64]) -> f64 {
-    let mut steps: Vec<_> = times_s.windows(2).map(|two| two[1] - two[0]).collect();
-    steps.sort_by(f64::total_cmp);
-    steps.get(steps.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// An error at its row, or at the key that asks for too much.

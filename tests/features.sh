@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/target.sh
 
-features=(trajectory sensor allan link micromath defmt)
+features=(trajectory sensor allan link aiding micromath defmt)
 fail() { echo "features: $*" >&2; exit 1; }
 
 # crates FEATURES: what cargo compiles besides core, one a line.
@@ -22,7 +22,7 @@ case $alone in
 esac
 # What is not seen where it is cannot be missed where it is not.
 grep -q '^syn v' <<<"$(crates defmt)" || fail "syn is not seen in a build with defmt"
-for feature in trajectory sensor allan micromath trajectory,sensor,allan; do
+for feature in trajectory sensor allan aiding micromath trajectory,sensor,allan; do
     if grep -E '^syn v|\(proc-macro\)' <<<"$(crates "$feature")"; then
         fail "a build with \"$feature\" takes a procedural macro"
     fi
@@ -53,7 +53,7 @@ builds=$(realpath -m "${CARGO_TARGET_DIR:-target}")/features
 echo "| features | crates besides core | code in the library, bytes | more in a navigator that does not use it |"
 echo "|---|--:|--:|--:|"
 first=
-for words in "" trajectory sensor allan link full micromath defmt; do
+for words in "" trajectory sensor allan link aiding full micromath defmt; do
     # Machine code, not what the linker would optimise further.
     CARGO_TARGET_DIR=$builds CARGO_PROFILE_RELEASE_LTO=off build_core "$target" "$words" --quiet
     library=$(code "$builds/$target/release/libschuler.rlib")

@@ -22,6 +22,7 @@
 //! # Ok::<(), schuler::alignment::AlignmentError>(())
 //! ```
 
+pub mod inertial;
 pub mod judge;
 pub mod place;
 mod scatter;

@@ -14,6 +14,7 @@
 //! ```
 
 pub mod closed_form;
+pub mod gradient;
 
 use crate::math::real::Real;
 use crate::math::vector::Vector;

@@ -17,6 +17,8 @@ compile_error!("x87 rounds to other bits: build for a processor with SSE2");
 #[macro_use]
 pub mod strapdown;
 
+#[cfg(feature = "aiding")]
+pub mod aiding;
 pub mod alignment;
 #[cfg(feature = "allan")]
 pub mod allan;

@@ -2,6 +2,7 @@
 //!
 //! | module | what |
 //! |---|---|
+//! | `aiding` | the covariance core and fine alignment |
 //! | `foundation` | arithmetic, the Earth, motion, the perfect unit, alignment |
 //! | `functions` | libm's bits |
 //! | `ulps` | every kernel against high precision |
@@ -20,6 +21,7 @@
 //! | `matrix` | what the matrix of targets refuses |
 //! | `figures`, `speed` | the README's figures, and what the benchmarks fly |
 
+mod aiding;
 mod allan;
 mod catalogue;
 mod drift;

@@ -24,7 +24,7 @@
 //! assert!((dynamics.growth(&tilted).velocity.x.abs() - 9.8e-3).abs() < 1e-4);
 //! ```
 
-use crate::earth::{self, ECCENTRICITY_SQUARED, Radii};
+use crate::earth::{self, Radii};
 use crate::math::quaternion::Matrix;
 use crate::math::real::Real;
 use crate::math::vector::Vector;
@@ -75,7 +75,7 @@ impl<R: Real> ErrorDynamics<R> {
         let north_radius = radii.meridian + altitude;
         let body_to_ned = body_to_ned(motion);
         let gravity = earth::gravity(s, altitude);
-        let (per_latitude, per_height) = gravity_derivatives(s, c, altitude);
+        let (per_latitude, per_height) = earth::gradient::of_gravity(s, c, altitude);
         Self {
             body_to_ned,
             rate_ib_b: rates.rate_ib_b,
@@ -180,32 +180,6 @@ fn body_to_ned<R: Real>(motion: &Motion<R>) -> Matrix<R> {
             Vector::new(-sp, cp * sr, cp * cr),
         ],
     }
-}
-
-/// ∂γ/∂φ in m/s² per rad and ∂γ/∂h in 1/s² of normal gravity, exactly.
-fn gravity_derivatives<R: Real>(sine: R, cosine: R, altitude: R) -> (R, R) {
-    use earth::{
-        CENTRIFUGAL_RATIO, EQUATORIAL_GRAVITY, FLATTENING, SEMI_MAJOR_AXIS as A, SOMIGLIANA,
-    };
-    // γ = γ_e·S·H,  S = (1 + k sin²φ)/W,  H = 1 − (2/a)(1 + f + m − 2f sin²φ)h + 3h²/a²
-    let s2 = sine * sine;
-    let w2 = R::ONE - R::of(ECCENTRICITY_SQUARED) * s2;
-    let w = w2.sqrt();
-    let numerator = R::ONE + R::of(SOMIGLIANA) * s2;
-    let surface = R::of(EQUATORIAL_GRAVITY) * numerator / w;
-    let factor = R::ONE + earth::height_factor(s2, altitude);
-    // dS/d sin²φ = (k + ½e²(1 + k sin²φ)/W²)/W,  ∂H/∂sin²φ = 4fh/a
-    let surface_slope = R::of(EQUATORIAL_GRAVITY)
-        * (R::of(SOMIGLIANA) + R::of(0.5 * ECCENTRICITY_SQUARED) * numerator / w2)
-        / w;
-    let factor_slope = R::of(4.0 * FLATTENING / A) * altitude;
-    let per_latitude = (surface_slope * factor + surface * factor_slope) * R::TWO * sine * cosine;
-    // ∂H/∂h = −(2/a)(1 + f + m − 2f sin²φ) + 6h/a²
-    let per_height = surface
-        * (R::of(-2.0 / A * (1.0 + FLATTENING + CENTRIFUGAL_RATIO))
-            + R::of(4.0 * FLATTENING / A) * s2
-            + R::of(6.0 / (A * A)) * altitude);
-    (per_latitude, per_height)
 }
 
 impl<R: Real> ErrorState<R> {

@@ -3,7 +3,7 @@
 use clap::Parser;
 use schuler_host::cli::{Cli, Command};
 use schuler_host::{
-    allan, audit, datasheet, emulate, ensemble, frontier, hil, replay, run, scenes, stress,
+    align, allan, audit, datasheet, emulate, ensemble, frontier, hil, replay, run, scenes, stress,
     trajectory,
 };
 use schuler_simulator::output::stop;
@@ -16,6 +16,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Emulate(args) => emulate::emulate(&args),
         Command::Replay(args) => replay::replay(&args),
+        Command::Align(args) => align::align(&args),
         Command::Frontier(args) => frontier::frontier(&args),
         Command::Stress(args) => stress::stress(&args),
         Command::Ensemble(args) => ensemble::ensemble(&args),

@@ -15,7 +15,7 @@
 
 mod earth_fixed;
 mod local_level;
-mod turn;
+pub(crate) mod turn;
 
 pub(crate) use earth_fixed::earth_fixed;
 pub(crate) use local_level::local_level;

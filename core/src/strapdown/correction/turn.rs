@@ -7,7 +7,7 @@ use crate::math::real::Real;
 use crate::math::vector::Vector;
 
 /// The rotation by a vector of length π at most.
-pub(super) fn rotation<R: Real>(vector: Vector<R>) -> Quaternion<R> {
+pub(crate) fn rotation<R: Real>(vector: Vector<R>) -> Quaternion<R> {
     // e = (cos ½φ − 1, sin ½φ·n),  cos ½φ − 1 = −2 sin² ¼φ,  sin ½φ = 2 sin ¼φ cos ¼φ
     let quarter = vector.norm() * R::of(0.25);
     // As a pair: libm's functions of single precision compute in double.

@@ -1,5 +1,6 @@
 //! The command line: commands, their options, and what they do to a scene.
 
+mod align;
 mod allan;
 mod apart;
 mod audit;
@@ -12,6 +13,7 @@ mod scenes;
 mod start;
 
 pub use crate::report::every::Every;
+pub use align::{AlignArgs, Method};
 pub use allan::{AllanArgs, DatasheetArgs, Span};
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use emulate::EmulateArgs;
@@ -60,6 +62,8 @@ pub enum Command {
     Emulate(EmulateArgs),
     /// Navigate a recorded stream
     Replay(Box<ReplayArgs>),
+    /// Find level, north and biases of a vehicle that stands still
+    Align(Box<AlignArgs>),
     /// Describe a scene's flight, and write its path for other tools
     Trajectory(TrajectoryArgs),
     /// Measure run time against error

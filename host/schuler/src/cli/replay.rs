@@ -60,6 +60,9 @@ pub struct ReplayArgs {
     /// First stand still this long to find level and north
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::length_s)]
     pub align: Option<f64>,
+    /// Align by the means alone (two vectors), without the filter that finds biases, too
+    #[arg(long, requires = "align")]
+    pub coarse: bool,
     /// The heading to start from with --align, degrees from north to the east: gyros then need not find it
     #[arg(long, value_name = "DEG", requires = "align", allow_negative_numbers = true, value_parser = options::heading_deg)]
     pub heading: Option<f64>,

@@ -1,5 +1,7 @@
 //! The flight through a recording: samples one by one, for alignment or navigation.
 
+use super::biases::Biases;
+pub use super::bridged::Bridged;
 use super::held::Held;
 use super::rows::{Finished, Rows};
 use super::spans::{Place, Spans};
@@ -20,6 +22,7 @@ use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::recording::timeline::Misfit;
 use schuler_simulator::recording::track::Track;
 use schuler_simulator::rest::align;
+use schuler_simulator::rest::fine::Stretch;
 use schuler_simulator::rest::opening::Opening;
 use schuler_simulator::scene::{Gap as Policy, Navigator, WindowShape};
 use schuler_simulator::simulate::FlightError;
@@ -66,32 +69,6 @@ pub struct Orders<'a> {
     pub keep: bool,
 }
 
-/// Missing samples that were filled from their neighbours.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Bridged {
-    /// In how many gaps.
-    pub gaps: u64,
-    /// How many samples.
-    pub samples: u64,
-    /// Their length, s.
-    pub time_s: f64,
-    /// Length of the longest gap, s.
-    pub longest_s: f64,
-    last_line: u64,
-}
-
-impl Bridged {
-    fn add(&mut self, sample: &Sample) {
-        if sample.line != self.last_line {
-            self.gaps += 1;
-            self.last_line = sample.line;
-        }
-        self.samples += 1;
-        self.time_s += sample.interval_s;
-        self.longest_s = self.longest_s.max(sample.interval_s * sample.missing as f64);
-    }
-}
-
 /// What every sample is flown with.
 struct Flying<'a> {
     recording: &'a Recording,
@@ -102,6 +79,7 @@ struct Flying<'a> {
     samples: u64,
     /// Where it was not aligned.
     opening: Option<Opening<'a>>,
+    biases: Biases,
 }
 
 /// Flies a recording and writes its rows.
@@ -115,6 +93,9 @@ pub fn fly(
     let (args, options) = (orders.args, &orders.options);
     let mut samples = Samples::new(recording, survey, Some(spans.begin_s))?;
     let mut still = align::gather(spans.navigate_s - spans.begin_s);
+    // Stamps that are no constant rate give the means alone.
+    let even = matches!(survey.clock, Clock::Even { .. });
+    let mut stretch = (even && !args.coarse).then(|| Stretch::new(survey.clock.interval()));
     // Of the stretch at rest: samples that were there, and that were missing.
     let (mut there, mut lost) = (0, 0);
     let mut flying: Option<Flying> = None;
@@ -140,6 +121,10 @@ pub fn fly(
                     there += 1;
                     still.add(&sample.increment, sample.interval_s);
                 }
+                // A sample that fills a gap belongs to the filter's time, too.
+                if let Some(stretch) = &mut stretch {
+                    stretch.add(&sample.increment);
+                }
             }
             Place::Flown => {
                 let flying = match &mut flying {
@@ -150,13 +135,18 @@ pub fn fly(
                     none => {
                         bridgeable(recording, &sample, options.gap, sample.filled)?;
                         spans.check_first(&sample, begun)?;
+                        let mut refined = None;
                         if args.align.is_some() {
                             let heading = args.heading.map(|heading| heading * DEGREE);
                             let (name, kind) = (&recording.name, recording.kind);
-                            start =
-                                align::align(&still, kind, name, initial, heading, there, lost)?;
+                            let fine = stretch.as_ref();
+                            (start, refined) = align::align(
+                                &still, kind, name, initial, heading, there, lost, fine,
+                            )?;
                         }
-                        none.insert(Flying::new(recording, survey, spans, orders, &start)?)
+                        let biases = refined.map(|refined| Biases::of(&refined.aligned));
+                        let flying = Flying::new(recording, survey, spans, orders, &start)?;
+                        none.insert(Flying { biases: biases.unwrap_or_default(), ..flying })
                     }
                 };
                 if sample.filled {
@@ -201,21 +191,23 @@ impl<'a> Flying<'a> {
         let mcap = args.mcap.as_deref();
         let rows = Rows::new(nav, mcap, args.every, start, args.reference.is_some(), *keep)?;
         let held = heights.as_ref().map(Held::new);
-        Ok(Self { recording, even, navigator, rows, held, samples: 0, opening })
+        let biases = Biases::default();
+        Ok(Self { recording, even, navigator, rows, held, samples: 0, opening, biases })
     }
 
     fn take(&mut self, sample: &Sample) -> Result<(), FlightError> {
-        let Self { recording, even, navigator, rows, held, samples, opening } = self;
+        let Self { recording, even, navigator, rows, held, samples, opening, biases } = self;
         if let Some(opening) = opening {
             opening.add(&sample.increment, sample.interval_s)?;
         }
         rows.expect(sample.time_s, sample.end_s);
         *samples += 1;
+        let increment = biases.taken_off(sample);
         let taken = if *even {
-            navigator.push(&sample.increment, &mut |_, row| rows.add(row))
+            navigator.push(&increment, &mut |_, row| rows.add(row))
         } else {
             let interval_s = sample.interval_s;
-            navigator.push_over(&sample.increment, interval_s, &mut |_, row| rows.add(row))
+            navigator.push_over(&increment, interval_s, &mut |_, row| rows.add(row))
         };
         let taken = taken.and_then(|()| match held {
             Some(held) => held.hold(navigator.as_mut(), sample.end_s),

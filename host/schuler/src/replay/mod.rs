@@ -1,15 +1,17 @@
 //! `schuler replay`: navigates a recorded stream.
 
+mod biases;
+mod bridged;
 mod comparison;
 mod files;
 mod fly;
 mod held;
-mod initial;
+pub(crate) mod initial;
 mod page;
 pub mod places;
 mod report;
 mod rows;
-mod spans;
+pub(crate) mod spans;
 mod summary;
 mod table;
 

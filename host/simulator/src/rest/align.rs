@@ -1,5 +1,6 @@
 //! `--align`: level and north from a stretch at rest, with their uncertainty.
 
+use super::fine::{Refined, Stretch};
 use super::{warn, words};
 use crate::input::{Complaint, InputError};
 use crate::output::say;
@@ -30,11 +31,18 @@ pub const NOTICED_FORCE: f64 = 0.002;
 
 /// What gathers a stretch of a length, s.
 pub fn gather(length_s: f64) -> Still<f64> {
-    Still::new(PIECE_S.min(length_s / FEWEST_PIECES))
+    Still::new(piece_s(length_s))
+}
+
+/// Length of the pieces of a stretch of a length, s.
+fn piece_s(length_s: f64) -> f64 {
+    PIECE_S.min(length_s / FEWEST_PIECES)
 }
 
 /// The state at rest that a stretch speaks of, judged and said; `heading` is one that is known
-/// otherwise, rad, and `missing` the samples that the stretch lacks.
+/// otherwise, rad, and `missing` the samples that the stretch lacks. With the samples themselves, the fine
+/// alignment on them.
+#[expect(clippy::too_many_arguments, reason = "what is said of one stretch")]
 pub fn align(
     still: &Still<f64>,
     said: Kind,
@@ -43,7 +51,8 @@ pub fn align(
     heading: Option<f64>,
     samples: usize,
     missing: u64,
-) -> Result<NavigationRow, InputError> {
+    fine: Option<&Stretch>,
+) -> Result<(NavigationRow, Option<Refined>), InputError> {
     let refuse = |complaint| Err(InputError::file(file, complaint));
     let Some(readings) = still.readings() else {
         return refuse(Complaint::new(AlignmentError::Empty.to_string(), ""));
@@ -75,7 +84,13 @@ pub fn align(
     };
     poor(&readings, &quality, &place, heading.is_none());
     say(&text(&readings, &quality, &attitude, heading.is_some(), samples, missing))?;
-    Ok(NavigationRow { attitude, velocity_ned: Vector::ZERO, ..*initial })
+    let coarse = NavigationRow { attitude, velocity_ned: Vector::ZERO, ..*initial };
+    // A heading that is known otherwise is better than one that a filter would find.
+    let fine = fine.filter(|stretch| heading.is_none() && stretch.suffices());
+    let Some(stretch) = fine else { return Ok((coarse, None)) };
+    let piece_s = piece_s(still.seconds());
+    let refined = stretch.refine(file, &coarse, &readings, &quality, piece_s)?;
+    Ok((refined.row, Some(refined)))
 }
 
 /// Whether two attitudes' down axes point to opposite sides.

@@ -1,68 +1,75 @@
 #!/usr/bin/env bash
-# The Python package: its wheel in a clean environment, every bit beside the program's, its stubs, threads, examples,
-# notebook, and the README's use. Without Python or its packages it skips with a line that says so; with CI set
-# nothing may be missing. SCHULER may name the program, built already, and WHEEL the folder of a wheel.
+# The Python package: its wheel in a clean environment with the README's use, every bit beside the program's, its
+# stubs, threads, examples and the notebook. Without Python or its packages it skips with a line that says so; with CI
+# set nothing may be missing. SCHULER may name the program, built already, and WHEEL the folder of a wheel.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. tests/venv.sh
 
-build=(maturin==1.16.0)
-packages=(numpy==2.4.6 pandas==3.1.1 matplotlib==3.11.2 mypy==2.4.1)
-tools=$(realpath -m "${CARGO_TARGET_DIR:-target}/tools/maturin")
-
-missing() {
-    if [ -n "${CI:-}" ]; then
-        echo "python: $1" >&2
-        exit 1
-    fi
-    echo "skipped: $1"
-    exit 0
+fail() {
+    echo "python: $*" >&2
+    exit 1
 }
 
-if [ -n "${CI:-}" ] && ! python3 -c 'import ensurepip, venv' 2>/dev/null; then
-    apt-get update -qq >/dev/null
-    apt-get install -y -qq --no-install-recommends python3 python3-venv >/dev/null
-fi
-python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || missing "no Python from 3.11 on"
+# The wheel's bytes, at most.
+most=2000000
 
+if ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
+    [ -z "${CI:-}" ] || install python3 python3-venv || fail "no Python from 3.11 on"
+    [ -n "${CI:-}" ] || { echo "skipped: no Python from 3.11 on" && exit 0; }
+fi
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
+root=$PWD
 
 wheels=${WHEEL:-$out/wheels}
 if [ -z "${WHEEL:-}" ]; then
-    if ! "$tools/bin/maturin" --version >/dev/null 2>&1; then
-        { python3 -m venv "$tools" && "$tools/bin/pip" install --quiet "${build[@]}"; } ||
-            missing "${build[*]} cannot be installed"
-    fi
-    "$tools/bin/maturin" build --quiet --release --locked --manifest-path host/python/Cargo.toml --out "$wheels"
+    python_with maturin maturin==1.16.0
+    "$python" -m maturin build --quiet --release --locked --interpreter "$python" \
+        --manifest-path host/python/Cargo.toml --out "$wheels"
 fi
-echo "wheel: $(basename "$wheels"/*.whl), $(stat -c %s "$wheels"/*.whl) bytes"
+wheel=$(echo "$wheels"/*.whl)
+bytes=$(stat -c %s "$wheel")
+echo "$(basename "$wheel"): $bytes bytes"
+[ "$bytes" -le $most ] || fail "the wheel has more than $most bytes"
+build_program
 
-# Nothing but the wheel and what it asks for, away from the sources: the README's use.
-python3 -m venv "$out/python"
-python=$out/python/bin/python
-"$out/python/bin/pip" install --quiet --disable-pip-version-check "$wheels"/*.whl "${packages[0]}" ||
-    missing "${packages[0]} cannot be installed"
-sed -n '/^```python$/,/^```$/p' README.md | sed '/^```/d' >"$out/readme.py"
-[ -s "$out/readme.py" ] || { echo "python: the README has no use of Python" >&2; exit 1; }
-(cd "$out" && "$python" readme.py)
+# The README's use, away from the sources, with nothing but the wheel and what it asks for: once for each Python here.
+awk '/^```python$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md >"$out/readme.py"
+[ -s "$out/readme.py" ] || fail "README.md has no Python"
+for version in "" 3.11 3.12 3.13 3.14; do
+    "python${version:-3}" -c 'import ensurepip, venv' 2>/dev/null || continue
+    "python${version:-3}" -m venv "$out/clean$version"
+    clean=$out/clean$version/bin/python
+    "$clean" -m pip install --quiet --disable-pip-version-check "$wheel" || fail "$wheel cannot be installed"
+    (cd "$out" && "$clean" -c 'import platform; print("Python", platform.python_version())' && "$clean" readme.py)
+done
 
-"$out/python/bin/pip" install --quiet --disable-pip-version-check "${packages[@]}" ||
-    missing "${packages[*]} cannot be installed"
-root=$PWD
-SCHULER=${SCHULER:-cargo run --quiet --release --locked --}
-export SCHULER SCHULER_ROOT=$root MPLBACKEND=Agg
+python_with python numpy==2.4.6 pandas==3.1.1 matplotlib==3.11.2 mypy==2.4.1
+"$python" -m pip install --quiet --disable-pip-version-check --no-deps --force-reinstall "$wheel"
+export SCHULER SCHULER_ROOT=$root MPLBACKEND=Agg PYTHONDONTWRITEBYTECODE=1
 tests=$root/host/python/tests
 cd "$out"
 "$python" -m unittest discover --start-directory "$tests" --top-level-directory "$tests"
 
-# Stubs are right by a checker's rules, and those of what is there.
+# The stubs are right by a checker's rules, and say what is there.
 "$python" -m mypy --strict --package schuler
 MYPYPATH=$tests "$python" -m mypy --strict "$tests"/*.py "$root"/host/python/examples/*.py
 "$python" -m mypy.stubtest schuler._schuler --ignore-disjoint-bases
 
+# picture FILE: a PNG that is more than white.
+picture() {
+    "$python" - "$1" <<'END' || fail "$1 shows nothing"
+import sys
+from matplotlib import image
+assert image.imread(sys.argv[1])[..., :3].std() > 0.02
+END
+}
 for example in "$root"/host/python/examples/*.py; do
-    picture=$(basename "$example" .py).png
-    "$python" "$example" "$picture" >"$picture.txt"
-    "$python" -c 'import sys; assert open(sys.argv[1], "rb").read(8) == b"\x89PNG\r\n\x1a\n"' "$picture"
+    name=$(basename "$example" .py)
+    "$python" "$example" "$name.png" >"$name.txt" || fail "$name: $(cat "$name.txt")"
+    picture "$name.png"
 done
-"$python" "$tests/notebook.py" "$root/host/python/examples/notebook.ipynb" >/dev/null
+"$python" "$tests/notebook.py" "$root/host/python/examples/notebook.ipynb" notebook.png >/dev/null
+picture notebook.png
+echo "examples and notebook: six pictures"

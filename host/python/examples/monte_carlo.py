@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 
 import schuler
 
-runs = schuler.ensemble("paper", runs=128, duration=900, instants=30)
+runs = schuler.ensemble("paper", runs=128, duration=900, at=30)
 print(runs)
 print(f"{runs.tests[1]} of {runs.tests[0]} tests against theory fail")
 

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from schuler.types import (
     Array,
+    EnsembleOptions,
     Increments,
     NavigatorOptions,
     Options,
@@ -67,13 +68,15 @@ def replay(
 
 def ensemble(
     scene: SceneLike | None = None,
-    runs: int = 64,
+    runs: int | None = None,
     *,
-    instants: int = 8,
+    at: int | str | Sequence[float] | npt.NDArray[np.float64] | None = None,
+    budget: int | None = None,
     threads: int | None = None,
-    **options: Unpack[Options],
+    **options: Unpack[EnsembleOptions],
 ) -> Ensemble:
-    """Flies many runs of a scene, on all processors unless told; a run depends on its number and the seed alone."""
+    """Flies many runs of a scene (64 unless told), on all processors unless told; a run depends on its number and the
+    seed alone. `at` is a number of times or times in seconds, `budget` flies so many runs without each error term."""
 
 def align(
     increments: Increments,
@@ -81,8 +84,10 @@ def align(
     initial: StateLike,
     *,
     heading: float | None = None,
+    coarse: bool = False,
 ) -> Aligned:
-    """Finds level and north from samples at rest, at the position of a state; `heading` is one that is known, degrees."""
+    """Finds level, north and biases from samples at rest, at the position of a state, by a filter; level and north by
+    the means alone where `coarse` says so, or `heading` is one that is known, degrees."""
 
 def allan(
     scene: SceneLike | None = None,
@@ -278,7 +283,7 @@ class Replay:
 
 @final
 class Ensemble:
-    """Many runs beside theory. Arrays have a row for each instant, and in it the nine numbers of `names`."""
+    """Many runs beside theory; in a notebook they show their page. Arrays have a row for each instant, and in it the nine numbers of `names`."""
 
     @property
     def scene(self) -> Scene:
@@ -312,10 +317,27 @@ class Ensemble:
         """Number, sample and reason of each run that did not reach its end."""
     @property
     def tests(self) -> tuple[int, int]:
-        """χ² tests of mean and spread against theory: how many, and how many fail."""
+        """Tests against theory: how many, and how many fail."""
+    @property
+    def covariance(self) -> Array:
+        """Instant, number, number: over the runs; m, m/s, arcsec."""
+    @property
+    def covariance_theory(self) -> Array:
+        """What theory expects; not a number where it has ended."""
+    @property
+    def accuracy(self) -> Table:
+        """CEP of 50 % and 95 % and the vertical error of 95 %, of the runs and by theory: `accuracy.csv`."""
+    @property
+    def verdict(self) -> list[str]:
+        """What parts from theory, in sentences."""
+    @property
+    def summary(self) -> dict[str, Any]:
+        """`ensemble.json`, without the command line and the files."""
     @property
     def text(self) -> str:
         """What the program prints."""
+    def report(self) -> str:
+        """`ensemble.html`."""
     def _repr_html_(self) -> str: ...
 
 @final
@@ -345,10 +367,22 @@ class Aligned:
         """At rest, where it was said to be."""
     @property
     def level_sigma_deg(self) -> float:
-        """Standard deviation of roll and pitch."""
+        """Standard deviation of level."""
     @property
     def heading_sigma_deg(self) -> float | None:
         """Standard deviation of the heading; None where that was given."""
+    @property
+    def gyro_bias_deg_h(self) -> list[float] | None:
+        """Biases of the gyros; None of the means alone."""
+    @property
+    def gyro_bias_sigma_deg_h(self) -> list[float] | None:
+        """Their standard deviations."""
+    @property
+    def accelerometer_bias_ug(self) -> list[float] | None:
+        """Biases of the accelerometers; None of the means alone."""
+    @property
+    def accelerometer_bias_sigma_ug(self) -> list[float] | None:
+        """Their standard deviations."""
     @property
     def text(self) -> str:
         """What the program prints."""

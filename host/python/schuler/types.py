@@ -46,6 +46,19 @@ class Handling(NavigatorOptions, total=False):
     gap: Literal["error", "bridge"] | None
 
 
+class EnsembleOptions(NavigatorOptions, total=False):
+    """What replaces a scene's own values in all runs."""
+
+    #: Seed of everything random.
+    seed: int | None
+    #: Length, s.
+    duration: float | None
+    #: Samples per second.
+    rate: float | None
+    #: The vertical channel.
+    vertical: Literal["free", "held"] | None
+
+
 class Options(Handling, total=False):
     """What replaces a scene's own values."""
 
@@ -76,6 +89,8 @@ class ReplayOptions(Handling, total=False):
     start: float | None
     #: First stand still this long to find level and north, s.
     align: float | None
+    #: Align by the means alone, without the filter that finds biases, too.
+    coarse: bool | None
     #: The heading to start from with `align`, degrees.
     heading: float | None
     #: End at this time of the recording, s.

@@ -5,7 +5,6 @@ use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator::Unavailable;
 use schuler_simulator::simulate::FlightError;
 use schuler_simulator::source::SourceError;
-use schuler_simulator::theory::Theory;
 
 mod classes {
     pyo3::import_exception!(schuler.errors, InputError);
@@ -92,9 +91,4 @@ impl From<Unavailable> for Fault {
     fn from(error: Unavailable) -> Self {
         Self::Flight(error.into())
     }
-}
-
-/// What theory expects of a scene.
-pub fn theory(scene: &schuler_simulator::scene::Scene) -> Answer<Theory> {
-    Ok(Theory::new(scene).map_err(SourceError::Trajectory)?)
 }

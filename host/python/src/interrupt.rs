@@ -29,9 +29,11 @@ impl Watch {
             return Ok(());
         }
         self.calls = 0;
-        if self.asked.elapsed() < PATIENCE {
-            return Ok(());
-        }
+        if self.asked.elapsed() < PATIENCE { Ok(()) } else { self.ask() }
+    }
+
+    /// The same, to be called now and then.
+    pub fn ask(&mut self) -> Result<(), InputError> {
         self.asked = Instant::now();
         Python::attach(|py| py.check_signals()).map_err(|raised| {
             self.raised = Some(raised);

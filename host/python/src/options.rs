@@ -16,6 +16,9 @@ const NAMES: [&str; 9] =
 pub const OF_NAVIGATOR: &[&str] = &["frame", "precision", "algorithm", "window"];
 /// Those of a navigator and its handling.
 pub const OF_HANDLING: &[&str] = &["frame", "precision", "algorithm", "window", "vertical", "gap"];
+/// Those of an ensemble.
+pub const OF_ENSEMBLE: &[&str] =
+    &["seed", "duration", "rate", "frame", "precision", "algorithm", "window", "vertical"];
 
 /// The options that were given.
 #[derive(Clone, Copy, Debug, Default)]
@@ -88,6 +91,17 @@ pub fn number(name: &str, value: &Bound<'_, PyAny>, range: &Range) -> Answer<f64
         Fault::option(&dashed(name), Complaint::new("is not a number", range.accepted))
     })?;
     range.check(number).map_err(|complaint| Fault::option(&dashed(name), complaint))
+}
+
+/// An option that the command line parses, as that does.
+pub fn parsed<T>(
+    option: &str,
+    value: Option<&Bound<'_, PyAny>>,
+    parse: fn(&str) -> Result<T, Complaint>,
+) -> Answer<Option<T>> {
+    let Some(value) = value else { return Ok(None) };
+    let value = parse(&value.str()?.to_string());
+    Ok(Some(value.map_err(|complaint| Fault::option(option, complaint))?))
 }
 
 fn seed(value: &Bound<'_, PyAny>) -> Answer<u64> {

@@ -87,7 +87,7 @@ impl Replay {
 }
 
 /// Keywords of `replay` that are not those of a scene.
-const OWN: [&str; 13] = [
+const OWN: [&str; 14] = [
     "map",
     "columns",
     "axes",
@@ -96,6 +96,7 @@ const OWN: [&str; 13] = [
     "lag",
     "start",
     "align",
+    "coarse",
     "heading",
     "until",
     "rate",
@@ -163,6 +164,7 @@ fn arguments(folder: &Path, given: Option<&Bound<'_, PyDict>>) -> Answer<ReplayA
         lag: Lag::Seconds(0.0),
         start: None,
         align: None,
+        coarse: false,
         heading: None,
         units: None,
         until: None,
@@ -184,6 +186,7 @@ fn arguments(folder: &Path, given: Option<&Bound<'_, PyDict>>) -> Answer<ReplayA
     }
     let together = [
         (args.heading.is_some() && args.align.is_none(), "--heading", "--align"),
+        (args.coarse && args.align.is_none(), "--coarse", "--align"),
         (args.lag != Lag::Seconds(0.0) && args.reference.is_none(), "--lag", "--reference"),
     ];
     if let Some((_, option, needed)) = together.into_iter().find(|(wrong, ..)| *wrong) {
@@ -212,6 +215,7 @@ fn set(args: &mut ReplayArgs, name: &str, value: &Bound<'_, PyAny>) -> Answer<()
         "lag" => args.lag = Lag::parse(&text()?).map_err(told)?,
         "start" => args.start = Some(number(&time)?),
         "align" => args.align = Some(number(&length)?),
+        "coarse" => args.coarse = value.extract()?,
         "heading" => {
             args.heading =
                 Some(number(&Range::from_to(-360.0, 360.0, "degrees, from -360 to 360"))?);

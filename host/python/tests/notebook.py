@@ -1,4 +1,4 @@
-"""Runs the cells of a notebook; what a cell ends with must show itself."""
+"""Runs the cells of a notebook; what a cell ends with must show itself, and the last must end in a picture."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ import json
 import sys
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 
-def run(path: Path) -> None:
+
+def run(path: Path, picture: Path) -> None:
     names: dict[str, object] = {}
     shown = 0
     for cell in json.loads(path.read_text())["cells"]:
@@ -24,7 +26,9 @@ def run(path: Path) -> None:
             assert (html() if html else repr(value)), last
             shown += 1
     assert shown > 4, shown
+    assert plt.get_fignums(), "no picture"
+    plt.savefig(picture)
 
 
 if __name__ == "__main__":
-    run(Path(sys.argv[1]))
+    run(Path(sys.argv[1]), Path(sys.argv[2]))

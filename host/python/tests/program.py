@@ -14,7 +14,8 @@ import numpy as np
 
 import schuler
 
-TURNS = Path(os.environ["SCHULER_ROOT"]) / "tests/golden/turns.toml"
+GOLDEN = Path(os.environ["SCHULER_ROOT"]) / "tests/golden"
+TURNS = GOLDEN / "turns.toml"
 
 
 def program(*arguments: object) -> subprocess.CompletedProcess[str]:

@@ -44,6 +44,21 @@ class Arrays(unittest.TestCase):
             digests.add(navigator.digest)
         self.assertEqual(len(digests), 1)
 
+    def test_samples_are_not_copied(self) -> None:
+        # Of the same row so often that a copy would take 48 TB.
+        endless = np.broadcast_to(np.full(6, np.nan), (10**12, 6))
+        navigator = schuler.Navigator({"latitude_deg": 45, "longitude_deg": 10}, 100)
+        with self.assertRaisesRegex(schuler.FlightError, "^sample 1 at 0.01 s: "):
+            navigator.fly(endless)
+        # What lies there while it is flown is what is read: a file that is written meanwhile by nobody but this thread.
+        data = schuler.emulate("paper", duration=5)
+        samples = data.imu.array[:, 1:]
+        first, second = (schuler.Navigator(data.initial, 20, window="0,4,0") for _ in range(2))
+        first.fly(samples)
+        samples[:, 0] += 1e-6
+        second.fly(samples)
+        self.assertNotEqual(first.digest, second.digest)
+
     def test_threads_have_the_bits_of_one(self) -> None:
         def fly(seed: int) -> tuple[str, bytes]:
             flight = schuler.run("paper", duration=120, seed=seed)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import tempfile
 import tomllib
 import unittest
 from pathlib import Path
 
 import numpy as np
-from program import TURNS, assert_same, complaint, done, summary
+from program import GOLDEN, TURNS, assert_same, complaint, done, summary
 
 import schuler
 
@@ -20,7 +22,28 @@ class Bits(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
-    def test_digests_of_the_golden_scenes(self) -> None:
+    def test_digests_of_the_golden_chains(self) -> None:
+        chains = [chain for scene in ("paper", "turns") for chain in sorted((GOLDEN / scene).glob("f*.chain"))]
+        self.assertEqual(len(chains), 36)
+        for chain in chains:
+            text = chain.read_text()
+            head = dict(re.findall(r"^(scene|configuration|duration_s): (.*)$", text, re.MULTILINE))
+            found = re.search(r"^nav = (\d+) ([0-9a-f]{16})$", text, re.MULTILINE)
+            assert found
+            samples, golden = found.groups()
+            scene = TURNS if head["scene"] == "turns" else head["scene"]
+            data = schuler.emulate(scene, duration=float(head["duration_s"]))
+            navigator = schuler.Navigator(data.initial, data.scene.rate_hz, name=head["configuration"])
+            navigator.fly(data.imu)
+            navigator.finish()
+            self.assertEqual((navigator.digest, navigator.integrated), (golden, int(samples)), chain)
+            precision, frame, algorithm, *window = head["configuration"].split()
+            flight = schuler.run(
+                data.scene, rows=False, precision=precision, frame=frame, algorithm=algorithm, window=(window or [None])[0]  # type: ignore[arg-type]
+            )
+            self.assertEqual(flight.digest, golden, chain)
+
+    def test_digests_and_summaries_of_the_program(self) -> None:
         for scene in ("paper", TURNS):
             for options in ({}, {"precision": "f32", "window": "0,4,0"}, {"algorithm": "textbook"}):
                 given = [x for name, value in options.items() for x in (f"--{name}", value)]
@@ -98,7 +121,7 @@ class Bits(unittest.TestCase):
         np.testing.assert_allclose(rows["altitude_m"], data.truth["altitude_m"][at], atol=1e-3)
 
     def test_an_ensemble(self) -> None:
-        runs = schuler.ensemble("paper", runs=8, duration=120, threads=2, instants=4)
+        runs = schuler.ensemble("paper", runs=8, duration=120, threads=2, at=4)
         flight = schuler.run("paper", duration=120)
         self.assertEqual(runs.drift.shape, (4, 8, 9))
         np.testing.assert_array_equal(runs.drift[-1, 0], flight.drift.array[-1, 1:10])
@@ -106,7 +129,17 @@ class Bits(unittest.TestCase):
         np.testing.assert_allclose(runs.sigma, runs.drift.std(axis=1, ddof=1), rtol=1e-9, atol=1e-12)
         last = flight.drift.array[-1]
         np.testing.assert_allclose(runs.sigma_theory[-1], last[19:28], rtol=1e-9)
-        single = schuler.ensemble("paper", runs=8, duration=120, threads=1, instants=4)
+        np.testing.assert_allclose(runs.sigma**2, np.diagonal(runs.covariance, axis1=1, axis2=2), rtol=1e-9)
+        np.testing.assert_allclose(np.cov(runs.drift[-1].T), runs.covariance[-1], rtol=1e-6, atol=1e-12)
+        done("ensemble", "paper", "--runs", 8, "--duration", 120, "--at", 4, "--out", self.folder)
+        told = json.loads((self.folder / "ensemble.json").read_text())
+        mine = runs.summary
+        self.assertEqual((mine["final"], mine["tests"], mine["verdict"]), (told["final"], told["tests"], told["verdict"]))
+        self.assertEqual(runs.report(), (self.folder / "ensemble.html").read_text())
+        assert_same(runs.accuracy, self.folder / "accuracy.csv")
+        times = schuler.ensemble("paper", runs=4, duration=120, at=[30, 60]).time_s
+        np.testing.assert_allclose(times, [30, 60, 120], atol=0.2)
+        single = schuler.ensemble("paper", runs=8, duration=120, threads=1, at=4)
         np.testing.assert_array_equal(single.drift, runs.drift)
 
     def test_allan_deviation_and_data_sheets(self) -> None:

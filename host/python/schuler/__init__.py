@@ -20,6 +20,7 @@ from schuler._schuler import (
     Replay,
     Scene,
     State,
+    Steps,
     Table,
     Trajectory,
     __version__,
@@ -33,6 +34,7 @@ from schuler._schuler import (
     run,
     scene_text,
     scenes,
+    steps,
 )
 from schuler.errors import Error, FlightError, InputError
 
@@ -49,6 +51,7 @@ __all__ = [
     "Replay",
     "Scene",
     "State",
+    "Steps",
     "Table",
     "Trajectory",
     "__version__",
@@ -62,4 +65,5 @@ __all__ = [
     "run",
     "scene_text",
     "scenes",
+    "steps",
 ]

@@ -89,6 +89,16 @@ def align(
     """Finds level, north and biases from samples at rest, at the position of a state, by a filter; level and north by
     the means alone where `coarse` says so, or `heading` is one that is known, degrees."""
 
+def steps(
+    initial: StateLike,
+    rate: float,
+    increments: Increments,
+    *,
+    name: str | None = None,
+    **options: Unpack[NavigatorOptions],
+) -> Steps:
+    """Flies samples from a state with one of the audited navigators, and shows every step in bits."""
+
 def allan(
     scene: SceneLike | None = None,
     *,
@@ -466,3 +476,32 @@ class Navigator:
     ) -> None:
         """Corrects the state at the end of the last block: the corrected one less the present, the attitude as a
         rotation about north, east and down."""
+
+@final
+class Steps:
+    """Steps of a navigator: what a chain of `schuler audit` has."""
+
+    @property
+    def name(self) -> str:
+        """The navigator's."""
+    @property
+    def sample(self) -> npt.NDArray[np.uint64]:
+        """How many samples are behind each step."""
+    @property
+    def body_fields(self) -> tuple[str, ...]:
+        """Names of the words of `body`, in order."""
+    @property
+    def nav_fields(self) -> tuple[str, ...]:
+        """Names of the words of `nav`, in order."""
+    @property
+    def body(self) -> npt.NDArray[np.uint64]:
+        """The body's motion over each step: the bits of its numbers, a row each."""
+    @property
+    def nav(self) -> npt.NDArray[np.uint64]:
+        """The state after each step: the bits of its numbers, a row each."""
+    @property
+    def body_digest(self) -> str:
+        """Of all of `body`, as a chain has it."""
+    @property
+    def nav_digest(self) -> str:
+        """Of all of `nav`, as a chain has it."""

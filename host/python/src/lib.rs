@@ -4,7 +4,8 @@
 //! |---|---|
 //! | `run`, `emulate`, `replay`, `ensemble`, `allan`, `align` | the commands, each a function |
 //! | `scene`, `options`, `toml`, `log` | scenes: names, files, texts, dicts; what replaces their values |
-//! | `trajectory`, `navigator`, `flying`, `state` | a motion, a navigator step by step, where it starts and is |
+//! | `trajectory`, `navigator`, `flying`, `state` | a motion, a navigator sample by sample, where it starts and is |
+//! | `steps` | every step of a navigator, in bits |
 //! | `table`, `arrays`, `recorded` | numbers by rows and columns, samples in arrays, a recorded stream |
 //! | `error`, `interrupt`, `notebook` | exceptions, Ctrl-C, pages in a notebook |
 //!
@@ -28,6 +29,7 @@ mod replay;
 mod run;
 mod scene;
 mod state;
+mod steps;
 mod table;
 mod toml;
 mod trajectory;
@@ -57,6 +59,8 @@ mod _schuler {
     use super::scene::{Scene, scene_text, scenes};
     #[pymodule_export]
     use super::state::State;
+    #[pymodule_export]
+    use super::steps::{Steps, steps};
     #[pymodule_export]
     use super::table::Table;
     #[pymodule_export]

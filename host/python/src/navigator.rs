@@ -35,12 +35,15 @@ pub struct Navigator {
 }
 
 /// A sample that is not taken: the text of the program.
-fn said(taken: u64, end_s: f64, why: Rejected) -> String {
+pub fn said(taken: u64, end_s: f64, why: Rejected) -> String {
     format!("sample {} at {end_s} s: {why}", taken + 1)
 }
 
 /// A navigator of the catalogue by its name, or by options as a scene has them.
-fn configuration(name: Option<&str>, options: Option<&Bound<'_, PyDict>>) -> Answer<Configuration> {
+pub fn configuration(
+    name: Option<&str>,
+    options: Option<&Bound<'_, PyDict>>,
+) -> Answer<Configuration> {
     let mut asked = scene::Navigator::default();
     let options = Options::among(OF_NAVIGATOR, options)?;
     if let Some(name) = name {
@@ -62,6 +65,11 @@ fn configuration(name: Option<&str>, options: Option<&Bound<'_, PyDict>>) -> Ans
     Ok(asked.configuration(asked.window.unwrap_or(plan::UNKNOWN)))
 }
 
+/// A number of samples per second.
+pub fn rate(rate_hz: f64) -> Answer<f64> {
+    limits::RATE_HZ.check(rate_hz).map_err(|complaint| Fault::option("--rate", complaint))
+}
+
 #[pymethods]
 impl Navigator {
     #[new]
@@ -73,8 +81,7 @@ impl Navigator {
         options: Option<&Bound<'_, PyDict>>,
     ) -> Answer<Self> {
         let initial = State::of(initial)?;
-        let rate_hz = limits::RATE_HZ.check(rate);
-        let rate_hz = rate_hz.map_err(|complaint| Fault::option("--rate", complaint))?;
+        let rate_hz = self::rate(rate)?;
         let configuration = configuration(name, options)?;
         let asked = scene::Navigator {
             frame: configuration.axes,

@@ -96,7 +96,9 @@ class Input(unittest.TestCase):
             schuler.State(latitude_deg=91, longitude_deg=0)
 
     def test_a_log_in_arrays_is_a_log_in_a_file(self) -> None:
-        path = schuler.Trajectory({**CAR["trajectory"], "segment": CAR["trajectory"]["segment"]}, rate=50)
+        start = {**CAR["trajectory"]["start"], "speed_m_s": 14}
+        segments = [{"straight_s": 8}, {"accelerate_to_m_s": 20, "blend_s": 8}, {"straight_s": 10}]
+        path = schuler.Trajectory({"attitude": "upright", "start": start, "segment": segments}, rate=50)
         times = np.arange(0, 20, 0.5)
         rows = path.at(times)
         names = ["time_s", "latitude_deg", "longitude_deg", "altitude_m"]
@@ -164,7 +166,7 @@ class Input(unittest.TestCase):
             self.assertEqual(schuler.Navigator(start, 100, name=name).name, name)
 
     def test_warnings_are_pythons(self) -> None:
-        scene = {**tomllib.loads(schuler.scene_text("stationary")), "accelerometer": {"constant_ug": 5000}}
+        scene = {**tomllib.loads(schuler.scene_text("stationary")), "accelerometer": {"constant_ug": 2500}}
         data = schuler.emulate(scene, duration=120)
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")

@@ -37,13 +37,17 @@ build_program
 # The README's use, away from the sources, with nothing but the wheel and what it asks for: once for each Python here.
 awk '/^```python$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md >"$out/readme.py"
 [ -s "$out/readme.py" ] || fail "README.md has no Python"
-for version in "" 3.11 3.12 3.13 3.14; do
-    "python${version:-3}" -c 'import ensurepip, venv' 2>/dev/null || continue
-    "python${version:-3}" -m venv "$out/clean$version"
-    clean=$out/clean$version/bin/python
+tried=" "
+for name in python3 python3.11 python3.12 python3.13 python3.14; do
+    version=$("$name" -c 'import ensurepip, venv, platform; print(platform.python_version())' 2>/dev/null) || continue
+    [[ $tried != *" $version "* ]] || continue
+    tried+="$version "
+    "$name" -m venv "$out/$version"
+    clean=$out/$version/bin/python
     "$clean" -m pip install --quiet --disable-pip-version-check "$wheel" || fail "$wheel cannot be installed"
-    (cd "$out" && "$clean" -c 'import platform; print("Python", platform.python_version())' && "$clean" readme.py)
+    (cd "$out" && "$clean" readme.py)
 done
+echo "the README's use, in clean environments: Python$tried"
 
 python_with python numpy==2.4.6 pandas==3.1.1 matplotlib==3.11.2 mypy==2.4.1
 "$python" -m pip install --quiet --disable-pip-version-check --no-deps --force-reinstall "$wheel"

@@ -11,7 +11,7 @@ import schuler
 
 # A tactical unit: what its sheet says, in the sheet's own units.
 sheet = {
-    "rate_hz": 100,
+    "sample_rate_hz": 100,
     "gyro": {
         "noise_density_deg_s_sqrt_hz": 0.0003,
         "in_run_bias_stability_deg_h": 0.1,

@@ -18,6 +18,33 @@ from schuler.types import (
     StateLike,
 )
 
+__all__ = [
+    "Aligned",
+    "Allan",
+    "Emulation",
+    "Ensemble",
+    "Flight",
+    "Navigator",
+    "Replay",
+    "Scene",
+    "State",
+    "Steps",
+    "Table",
+    "Trajectory",
+    "__version__",
+    "align",
+    "allan",
+    "datasheet",
+    "emulate",
+    "ensemble",
+    "navigators",
+    "replay",
+    "run",
+    "scene_text",
+    "scenes",
+    "steps",
+]
+
 __version__: Final[str]
 
 def scenes() -> dict[str, str]:

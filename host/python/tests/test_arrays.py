@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import _thread
 import threading
 import time
 import unittest
@@ -90,6 +91,14 @@ class Arrays(unittest.TestCase):
         watcher.join()
         middle = [t for t in seen if start + 0.25 * (end - start) < t < start + 0.75 * (end - start)]
         self.assertTrue(middle)
+
+    def test_ctrl_c_ends_a_flight(self) -> None:
+        timer = threading.Timer(0.2, _thread.interrupt_main)
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            # A day, in which there is time for it.
+            schuler.run("paper", rate=1000, duration=86_400, rows=False)
+        timer.join()
 
     def test_trajectories(self) -> None:
         path = schuler.Trajectory("waypoints")

@@ -48,6 +48,8 @@ impl Streams {
     pub const LINK: u64 = 2;
     /// Branch of the root that belongs to the start of navigation: its random errors.
     pub const START: u64 = 3;
+    /// Branch of the root that belongs to the aiding sensors.
+    pub const AIDING: u64 = 4;
 
     /// The root.
     pub fn new(seed: u64, run: u64) -> Self {

@@ -20,6 +20,10 @@ use crate::solution::{EarthFixedSolution, Solution};
 pub trait Output<R: Real>: Copy {
     /// To the digits of `R`.
     fn solution(&self) -> Solution<R>;
+    /// The same, its position to about twice the digits of `R` where less is carried in other axes.
+    fn precise(&self) -> Solution<R> {
+        self.solution()
+    }
     /// In double precision, from all the digits carried.
     fn wide(&self) -> Solution<f64>
     where
@@ -46,6 +50,9 @@ impl<R: Real> Output<R> for Solution<R> {
 impl<R: Real> Output<R> for EarthFixedSolution<R> {
     fn solution(&self) -> Solution<R> {
         self.to_local()
+    }
+    fn precise(&self) -> Solution<R> {
+        self.to_local_precisely()
     }
     fn wide(&self) -> Solution<f64>
     where

@@ -15,7 +15,7 @@
 //! assert!((back.velocity_ned.x.hi - 10.0).abs() < 1e-12);
 //! ```
 
-use crate::earth::{self, Geodetic};
+use crate::earth::{self, Geodetic, Radii};
 use crate::math::compensated::{Pair, two_sum};
 use crate::math::quaternion::Quaternion;
 use crate::math::real::{Number, Real, Scalar};
@@ -186,6 +186,42 @@ impl<R: Real> EarthFixedSolution<R> {
             position: position.map(Pair::new),
             velocity_ned: velocity_ned.map(Pair::new),
             attitude: attitude.map(Pair::new),
+        }
+    }
+}
+
+impl<R: Real> EarthFixedSolution<R> {
+    /// In local axes, the position to about twice the digits of `R`: in single precision those of an Earth-fixed
+    /// position are a third of a metre apart. In double precision they suffice.
+    pub fn to_local_precisely(&self) -> Solution<R> {
+        let local = self.to_local();
+        if !R::any(R::ZERO.less(R::residual(0.1).abs())) {
+            return local;
+        }
+        let Geodetic { latitude, longitude, altitude } = local.position;
+        let ((s, c), (sl, cl)) = (latitude.sin_cos(), longitude.sin_cos());
+        // N = a/√(1 − e²s²);  x = (N + h)c,  z = (N(1 − e²) + h)s
+        let e2 = Pair::of(earth::ECCENTRICITY_SQUARED);
+        let one = Pair::new(R::ONE);
+        let n = Pair::of(earth::SEMI_MAJOR_AXIS) * (one - e2 * s * s).sqrt().reciprocal();
+        let axis_distance = (n + altitude) * c;
+        let z = (n * (one - e2) + altitude) * s;
+        let computed = Vector::new(axis_distance * cl, axis_distance * sl, z);
+        let rest = (self.position_e - computed).map(|c| c.hi);
+        let [s, c, sl, cl] = [s, c, sl, cl].map(|x| x.hi);
+        let outwards = rest.x * cl + rest.y * sl;
+        let radii = Radii::at(s, c);
+        let pole = c.abs().less(R::of(1e-9));
+        let divisor = R::select(pole, R::ONE, (radii.prime_vertical + altitude.hi) * c);
+        let east = R::select(pole, R::ZERO, rest.y * cl - rest.x * sl);
+        let north = (rest.z * c - outwards * s) / (radii.meridian + altitude.hi);
+        Solution {
+            position: Geodetic {
+                latitude: latitude + Pair::new(north),
+                longitude: longitude + Pair::new(east / divisor),
+                altitude: altitude + Pair::new(outwards * c + rest.z * s),
+            },
+            ..local
         }
     }
 }

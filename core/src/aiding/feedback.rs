@@ -16,17 +16,12 @@
 
 use super::filter::Filter;
 use super::model::{FIRST_EXTRA, GYRO_BIAS, Model};
-use super::states::Extra;
 use super::surroundings::{Pose, Surroundings};
-use super::transition::matrix_of;
 use crate::math::compensated::Pair;
 use crate::math::quaternion::{Matrix, Quaternion};
 use crate::math::real::Real;
 use crate::math::vector::Vector;
 use crate::strapdown::correction::{Correction, turn};
-
-/// A correction of the attitude, rad, beyond which the covariance is turned with it.
-const TURNING: f64 = 1e-3;
 
 /// Three errors from a state on.
 fn vector<R: Real>(errors: &[R], first: usize) -> Vector<R> {
@@ -57,26 +52,13 @@ pub fn correction<R: Real>(errors: &[R], pose: &Pose<R>, here: &Surroundings<R>)
     }
 }
 
-/// The left Jacobian of a rotation: exp([(ψ + ε)×]) ≈ exp([Jε×])·exp([ψ×]).
-fn jacobian<R: Real>(psi: Vector<R>) -> Matrix<R> {
-    // J = I + (1 − cosθ)/θ²·[ψ×] + (θ − sinθ)/θ³·[ψ×]²
-    let angle = psi.norm();
-    let none = angle.less(R::of(1e-2));
-    let divisor = R::select(none, R::ONE, angle);
-    // As a pair: libm's functions of single precision compute in double.
-    let (sine, cosine) = Pair::new(angle).sin_cos();
-    let square = divisor * divisor;
-    let first = R::select(none, R::HALF, (R::ONE - cosine.hi) / square);
-    let second = R::select(none, R::ratio(1, 6), (divisor - sine.hi) / (square * divisor));
-    matrix_of(|x| {
-        let once = psi.cross(x);
-        x + once * first + psi.cross(once) * second
-    })
-}
-
 impl<R: Real, const N: usize, const P: usize, const E: usize> Filter<R, N, P, E> {
     /// Feeds estimated errors back: into the biases and the further states here, and as a correction that the
     /// mechanization is to take. `pose` is that of the state before the correction.
+    ///
+    /// The covariance stays as it is, also where the correction is large. What measurements said of tilt and bias
+    /// together, ψ×g = b, they said of the errors about the attitude that was computed then: turned with the
+    /// correction it would contradict the next ones, and seem to show the biases.
     pub fn feed(
         &mut self,
         model: &Model<R>,
@@ -98,12 +80,6 @@ impl<R: Real, const N: usize, const P: usize, const E: usize> Filter<R, N, P, E>
                 extra.feed(estimate, errors, &corrected);
             }
         }
-        let large = R::of(TURNING).less(psi.norm());
-        if R::any(large) {
-            let mut ud = self.ud;
-            ud.map_states(0, &turning(model, errors));
-            self.ud.replace(large, &ud);
-        }
         correction(errors, pose, here)
     }
 }
@@ -116,38 +92,4 @@ fn corrected<R: Real>(pose: &Pose<R>, psi: Vector<R>) -> Pose<R> {
         body_to_ned: Matrix { rows: pose.body_to_ned.rows.map(|row| turned(forth, row)) },
         ..*pose
     }
-}
-
-/// How errors about the corrected state follow from those about the estimated errors.
-#[inline(never)]
-fn turning<R: Real, const N: usize>(model: &Model<R>, errors: &[R; N]) -> [[R; N]; N] {
-    // ψ′ = Jε_ψ; a vector's error in the corrected axes: δv′ = ε_v + δv × ψ′
-    let mut map = [[R::ZERO; N]; N];
-    for (n, row) in map.iter_mut().enumerate() {
-        if let Some(cell) = row.get_mut(n) {
-            *cell = R::ONE;
-        }
-    }
-    let jacobian = jacobian(vector(errors, 6));
-    let mut put = |first: usize, block: Matrix<R>| {
-        for (row, block) in map.iter_mut().skip(first).zip(block.rows) {
-            for (cell, x) in row.iter_mut().skip(6).zip(block.into_array()) {
-                *cell = x;
-            }
-        }
-    };
-    let crossed = |first: usize| {
-        let along = vector(errors, first);
-        matrix_of(|x| along.cross(jacobian * x))
-    };
-    put(0, crossed(0));
-    put(3, crossed(3));
-    put(6, jacobian);
-    for (first, extra) in model.extras() {
-        if let Extra::Resonator(_) = extra {
-            put(first, crossed(first));
-            put(first + 3, crossed(first + 3));
-        }
-    }
-    map
 }

@@ -43,6 +43,25 @@ pub type Filter15<R> = Filter<R, 15, 120, 0>;
 /// The same with six further states.
 pub type Filter21<R> = Filter<R, 21, 231, 6>;
 
+/// By what biases and further states have faded at the end of a step, beside Φ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Fading<R, const E: usize> {
+    /// Of the gyros' biases, and of the accelerometers'.
+    pub biases: [R; 2],
+    /// Of each further state; 1 for those of a resonator, which has a matrix of its own.
+    pub extras: [R; E],
+}
+
+impl<R: Real, const E: usize> Fading<R, E> {
+    /// Nothing has faded.
+    pub const NONE: Self = Self { biases: [R::ONE; 2], extras: [R::ONE; E] };
+}
+
+impl<R: Record, const E: usize> Record for Fading<R, E> {
+    record!(biases, extras);
+}
+
 impl<R: Real, const N: usize, const P: usize, const E: usize> Filter<R, N, P, E> {
     /// The compiler stops at a wrong size.
     const FITS: () = assert!(N == FIRST_EXTRA + E, "a filter has 15 states and its further ones");
@@ -86,38 +105,46 @@ impl<R: Real, const N: usize, const P: usize, const E: usize> Filter<R, N, P, E>
         }
     }
 
-    /// Carries covariance and estimates on over a step.
-    pub fn advance(&mut self, model: &Model<R>, transition: &Transition<R>) {
+    /// Carries covariance and estimates on over a step. The result says by what biases and further states have
+    /// faded at its end.
+    pub fn advance(&mut self, model: &Model<R>, transition: &Transition<R>) -> Fading<R, E> {
         self.ud.propagate(transition, &model.noise);
+        let mut fading = Fading::NONE;
         for (first, extra) in model.extras() {
             let at = first - FIRST_EXTRA;
             if let Some(estimate) = self.extras.get_mut(at..at + extra.states()) {
-                extra.advance(&mut self.ud, first, estimate, transition);
+                let factor = extra.advance(&mut self.ud, first, estimate, transition);
+                for slot in fading.extras.iter_mut().skip(at).take(extra.states()) {
+                    *slot = factor;
+                }
             }
         }
         self.since_s = self.since_s + transition.time_s();
         // A thousandth for steps that rounding ends early.
         if R::any(R::of(BIAS_EVERY_S * 0.999).less(self.since_s)) {
-            self.drift(model);
+            fading.biases = self.drift(model);
         }
+        fading
     }
 
-    /// The noise of the biases, for the time since the last one.
-    fn drift(&mut self, model: &Model<R>) {
+    /// The noise of the biases, for the time since the last one; the result is their factors.
+    fn drift(&mut self, model: &Model<R>) -> [R; 2] {
         let time_s = core::mem::replace(&mut self.since_s, R::ZERO);
         let (gyro, force) = (&mut self.gyro_bias, &mut self.accelerometer_bias);
         let groups = [
             (GYRO_BIAS, model.gyro_bias, gyro),
             (ACCELEROMETER_BIAS, model.accelerometer_bias, force),
         ];
-        for (first, process, bias) in groups {
+        groups.map(|(first, process, bias)| {
+            let mut factor = R::ONE;
             for (axis, bias) in bias.each_mut().into_iter().enumerate() {
-                let factor = process.advance(&mut self.ud, first + axis, time_s);
+                factor = process.advance(&mut self.ud, first + axis, time_s);
                 if let super::states::Process::GaussMarkov(_) = process {
                     *bias = *bias * Pair::new(factor);
                 }
             }
-        }
+            factor
+        })
     }
 
     /// Takes a vector of measurements, or refuses it as a whole if its NIS exceeds the limit: then every bit of the

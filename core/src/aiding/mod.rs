@@ -14,7 +14,11 @@
 //! | [`filter`] | covariance and estimates together: a step, a measurement, its feedback |
 //! | [`measurement`] | rows of measurements: position, velocity, displacement, height, along the body |
 //! | [`gate`] | a vector accepted or refused as a whole; what happens after many refusals |
+//! | [`transport`] | a measurement of the past as one of the present |
+//! | [`standstill`] | whether a vehicle stands still, by the scatter of its samples |
+//! | [`chi_square`] | limits for a false alarm's frequency |
 //! | [`feedback`] | the estimated errors as a correction |
+//! | [`aided`] | the aided navigator: a mechanization with a filter, and measurements that come late |
 //! | [`alignment`] | fine alignment of a vehicle that stands still, sways or turns |
 //!
 //! The state is ordered δr, δv, ψ, gyro biases, accelerometer biases, further states.
@@ -29,13 +33,17 @@
 //! assert!((filter.covariance().sigma(9) - 1e-7).abs() < 1e-20);
 //! ```
 
+pub mod aided;
 pub mod alignment;
+pub mod chi_square;
 pub mod covariance;
 pub mod feedback;
 pub mod filter;
 pub mod gate;
 pub mod measurement;
 pub mod model;
+pub mod standstill;
 pub mod states;
 pub mod surroundings;
 pub mod transition;
+pub mod transport;

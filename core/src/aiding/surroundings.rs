@@ -107,6 +107,11 @@ impl<R: Real> Surroundings<R> {
         Matrix { rows }
     }
 
+    /// R_M + h and R_N + h, m.
+    pub fn radii(&self) -> [R; 2] {
+        self.curvature.map(|curvature| R::ONE / curvature)
+    }
+
     /// The rotation vector of the local axes over a small way in north, east and down, rad.
     #[inline]
     pub fn turn(&self, way_ned: Vector<R>) -> Vector<R> {

@@ -142,6 +142,28 @@ impl<R: Real> Transition<R> {
         self.time_s
     }
 
+    /// u = ∫Cf dt in the axes at the start, m/s.
+    pub fn velocity(&self) -> Vector<R> {
+        self.velocity
+    }
+
+    /// s = ∬Cf dt² in the axes at the start, m.
+    pub fn position(&self) -> Vector<R> {
+        self.position
+    }
+
+    /// TΓx.
+    pub(super) fn fallen(&self, x: Vector<R>) -> Vector<R> {
+        self.gradient * x
+    }
+
+    /// Jᵀx, J = ∫R dt.
+    pub(super) fn integral_transposed(&self, x: Vector<R>) -> Vector<R> {
+        // J = T(I + ½[θ×] + ⅙[θ×]² + …)
+        let once = self.turn.cross(x);
+        (x - once * R::HALF + self.turn.cross(once) * R::ratio(1, 6)) * self.time_s
+    }
+
     /// Rᵀ: the rotation of a vector's components from the axes at the start to those at the end.
     pub fn back(&self) -> &Matrix<R> {
         &self.back

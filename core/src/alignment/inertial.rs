@@ -3,7 +3,7 @@
 //! The specific force integrated in body axes of the start is a curve; at rest on the turning Earth the same curve,
 //! in local axes of the start, is known. The rotation that lays one on the other is the attitude at the start. Unlike
 //! that of two vectors it holds for a vehicle that turns, and it takes no first attitude. A vehicle that is displaced
-//! has velocities of its own, and needs minutes.
+//! has velocities of its own, and needs minutes; where they are measured, it needs seconds.
 //! Source: Wu and Pan, IEEE Trans. Aerospace and Electronic Systems 49 (2013), 1006 (optimization-based alignment);
 //! Davenport's q-method (Wertz, *Spacecraft Attitude Determination and Control*, §12.2.3).
 //!
@@ -51,6 +51,10 @@ pub struct Inertial<R> {
     /// ∫f dt in body axes of the start, ∫−g dt in local ones of the start, m/s.
     felt: Vector<R>,
     known: Vector<R>,
+    /// Of a vehicle that moves, its velocity at the start and the last one measured, north, east, down, m/s.
+    velocity: Option<[Vector<R>; 2]>,
+    /// Σ known knownᵀ at measured velocities, by rows, m²/s².
+    spread: [Vector<R>; 3],
     /// Σ known feltᵀ by rows, weighted by time.
     outer: [Vector<R>; 3],
     samples: u32,
@@ -69,8 +73,57 @@ impl<R: Scalar> Inertial<R> {
             local: Quaternion::IDENTITY,
             felt: Vector::ZERO,
             known: Vector::ZERO,
+            velocity: None,
+            spread: [Vector::ZERO; 3],
             outer: [Vector::ZERO; 3],
             samples: 0,
+        }
+    }
+
+    /// At a place, with a velocity relative to the Earth in north, east and down, m/s, that is
+    /// [measured](Self::measure_velocity) from time to time.
+    pub fn moving(place: &Place<R>, velocity_ned: Vector<R>) -> Self {
+        Self { velocity: Some([velocity_ned; 2]), ..Self::new(place) }
+    }
+
+    /// Takes the velocity at the last sample, north, east, down, m/s.
+    pub fn measure_velocity(&mut self, velocity_ned: Vector<R>) {
+        // ∫Cf dt = [Cv] + ∫C(ω_ie × v − g) dt, with C of the local axes against those of the start
+        let [first, last] = self.velocity.get_or_insert([velocity_ned; 2]);
+        *last = velocity_ned;
+        let gained = self.local.matrix(R::ONE) * velocity_ned - *first;
+        let known = self.known + gained;
+        for (row, x) in self.spread.iter_mut().zip(known.into_array()) {
+            *row = *row + known * x;
+        }
+        self.compare(known, R::ONE);
+    }
+
+    /// How far measured velocities leave a straight line, m/s: those that are good to σ leave σ by it of the rotation
+    /// about that line, rad. At a steady acceleration nothing is seen of it.
+    pub fn velocity_spread(&self) -> R {
+        // Of Σ known knownᵀ the trace less its largest eigenvalue
+        let whole = trace(&self.spread);
+        if whole > R::ZERO {
+            let mut unit = self.spread.map(|row| row * (R::ONE / whole));
+            for _ in 0..SQUARINGS {
+                let [a, b, c] = unit;
+                let square = unit.map(|row| Vector::new(row.dot(a), row.dot(b), row.dot(c)));
+                let scale = R::ONE / trace(&square);
+                unit = square.map(|row| row * scale);
+            }
+            // It has become vvᵀ of the eigenvector v, whose eigenvalue is tr(S·vvᵀ).
+            let most = self.spread.iter().zip(unit).fold(R::ZERO, |sum, (s, v)| sum + s.dot(v));
+            let rest = whole - most;
+            return if rest > R::ZERO { rest.sqrt() } else { R::ZERO };
+        }
+        R::ZERO
+    }
+
+    /// Lays the known curve beside the felt one.
+    fn compare(&mut self, known: Vector<R>, weight: R) {
+        for (row, known) in self.outer.iter_mut().zip(known.into_array()) {
+            *row = *row + self.felt * (known * weight);
         }
     }
 
@@ -84,10 +137,11 @@ impl<R: Scalar> Inertial<R> {
         let turn = self.earth_rate_ned * interval_s;
         let middle = turned(self.local, turn * R::HALF);
         let up = Vector::new(R::ZERO, R::ZERO, -(self.gravity * interval_s));
-        self.known = self.known + middle.matrix(R::ONE) * up;
+        let carried = self.velocity.map_or(Vector::ZERO, |[_, last]| turn.cross(last));
+        self.known = self.known + middle.matrix(R::ONE) * (up + carried);
         self.local = turned(self.local, turn);
-        for (row, known) in self.outer.iter_mut().zip(self.known.into_array()) {
-            *row = *row + self.felt * (known * interval_s);
+        if self.velocity.is_none() {
+            self.compare(self.known, interval_s);
         }
         self.samples = self.samples.saturating_add(1);
     }
@@ -161,4 +215,9 @@ fn turned<R: Scalar>(q: Quaternion<R>, by: Vector<R>) -> Quaternion<R> {
     let w = -(square * R::of(0.125)) + square * square * R::ratio(1, 384);
     let v = by * (R::HALF - square * R::ratio(1, 48));
     (q + q * Quaternion::new(w, v)).normalised()
+}
+
+/// The trace of a matrix by rows.
+fn trace<R: Scalar>([a, b, c]: &[Vector<R>; 3]) -> R {
+    a.x + b.y + c.z
 }

@@ -14,6 +14,8 @@
 //! # Ok::<(), schuler::sensor::parameter::ParameterError>(())
 //! ```
 
+#[cfg(feature = "aiding")]
+pub mod aiding;
 pub mod bandwidth;
 pub mod constant;
 pub mod emulator;

@@ -63,6 +63,26 @@ pub enum Parameter {
     Bandwidth,
     /// Delay of the output.
     Latency,
+    /// Time of an aiding sensor's first measurement.
+    FirstTime,
+    /// Jitter of a delay.
+    Jitter,
+    /// A probability.
+    Probability,
+    /// Size of an outlier.
+    Outlier,
+    /// Offset of a spoofed position, or its rate.
+    Spoofing,
+    /// Times between which a fault holds.
+    FaultTimes,
+    /// Lever arm.
+    LeverArm,
+    /// White noise of a measurement.
+    MeasurementNoise,
+    /// Standard deviation that a sensor claims.
+    ClaimedSigma,
+    /// Limit of a speed.
+    SpeedLimit,
 }
 
 /// What is wrong with it.
@@ -117,6 +137,16 @@ impl Display for Parameter {
             Self::TemperatureScale => "scale factor by temperature",
             Self::Bandwidth => "bandwidth",
             Self::Latency => "latency",
+            Self::FirstTime => "time of the first measurement",
+            Self::Jitter => "jitter of the latency",
+            Self::Probability => "probability",
+            Self::Outlier => "size of an outlier",
+            Self::Spoofing => "spoofing",
+            Self::FaultTimes => "time of a fault",
+            Self::LeverArm => "lever arm",
+            Self::MeasurementNoise => "noise of a measurement",
+            Self::ClaimedSigma => "claimed standard deviation",
+            Self::SpeedLimit => "limit of the speed",
         })
     }
 }
@@ -208,6 +238,24 @@ impl Parameter {
     pub(super) fn single<R: Scalar>(self, value: R) -> Result<R, ParameterError> {
         above_zero(value).map_err(|fault| self.fault(fault))?;
         Ok(value)
+    }
+
+    /// One value for all axes that is zero or more.
+    pub(super) fn size<R: Scalar>(self, value: R) -> Result<R, ParameterError> {
+        at_least_zero(value).map_err(|fault| self.fault(fault))?;
+        Ok(value)
+    }
+
+    /// One value for all axes, of any sign.
+    pub(super) fn number<R: Scalar>(self, value: R) -> Result<R, ParameterError> {
+        finite(value).map_err(|fault| self.fault(fault))?;
+        Ok(value)
+    }
+
+    /// A probability.
+    pub(super) fn share<R: Scalar>(self, value: R) -> Result<R, ParameterError> {
+        let value = self.size(value)?;
+        if value > R::ONE { Err(self.fault(Fault::OutOfRange)) } else { Ok(value) }
     }
 
     /// An error of all axes.

@@ -1,5 +1,6 @@
 //! `schuler run`: the main job.
 
+use crate::align::table;
 use crate::cli::RunArgs;
 use crate::report::messages::Messages;
 use crate::report::{self, DriftCsv, FlightFiles, drift_csv, rows};
@@ -22,7 +23,8 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
         }
     })?;
     let neglected = flight.neglected.map(|neglected| neglected.line()).unwrap_or_default();
-    let notes = report::planned(&flight) + &neglected;
+    let aligned = flight.aligned.as_ref().map(table::begun).unwrap_or_default();
+    let notes = aligned + &report::planned(&flight) + &neglected;
     let messages = args.mcap.as_deref().map(|file| format!(" and {}", file.display()));
     let messages = messages.unwrap_or_default();
     say(&format!(

@@ -7,6 +7,7 @@
 //! | `scene` | what scenes may say |
 //! | `recording`, `rest` | what recordings may say, and what contradicts itself |
 //! | `reference` | positions that others measured |
+//! | `align` | level and north by runs of a scene and by recordings |
 //! | `allan` | sensors by their Allan deviation, and by their data sheets |
 //! | `audit` | chains, recorded and compared |
 //! | `ensemble` | many runs |
@@ -17,6 +18,7 @@
 //! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
+mod align;
 mod allan;
 mod audit;
 mod audit_limits;

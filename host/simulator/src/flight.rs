@@ -1,5 +1,6 @@
 //! The result of a run, from which the summary and the report are made.
 
+use crate::alignment::outcome::Outcome;
 use crate::high::Neglected;
 use crate::scene::{Scene, WindowShape};
 use crate::theory::Outside;
@@ -269,6 +270,8 @@ pub struct Flight {
     pub outside: Option<Outside>,
     /// What happened on the link to a target; absent when there was none.
     pub link: Option<LinkReport>,
+    /// The alignment that it began with, if any.
+    pub aligned: Option<Outcome>,
     /// Stage times; absent when not measured.
     pub time: Option<StageTimes>,
 }

@@ -17,6 +17,7 @@
 //! | [`mod@reference`] | positions of others: a reference, way-points |
 //! | [`allan`], [`datasheet`] | sensors identified by their Allan deviation, or by their data sheet |
 
+pub mod alignment;
 pub mod allan;
 pub mod course;
 pub mod datasheet;

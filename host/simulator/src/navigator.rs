@@ -5,11 +5,13 @@
 //! |---|---|
 //! | `available` | which algorithms, precisions, frames and windows go together |
 //! | `flying` | a mechanization in flight |
+//! | [`begun`] | a navigator that an alignment comes before |
 //! | [`compared`] | arithmetics that are there to be compared with |
 //! | [`rates`] | Runge-Kutta on instantaneous rates |
 //! | [`stepping`] | step by step, for audits |
 
 mod available;
+pub mod begun;
 pub mod compared;
 mod flying;
 pub mod rates;

@@ -9,9 +9,10 @@ pub use error::{FlightError, Refused};
 pub use log::{Log, largest};
 pub use vehicle::Vehicle;
 
+use crate::alignment::begin::{Beginning, begin};
+use crate::alignment::outcome::Outcome;
 use crate::flight::{Ended, Flight, Instant, Nine};
 use crate::input::InputError;
-use crate::navigator;
 use crate::plan::Plan;
 use crate::scene::{Scene, Vertical};
 use crate::source::{Source, SourceError};
@@ -20,7 +21,6 @@ use crate::timing;
 use crate::units::{ARCSECOND, DEGREE};
 use schuler::drift::compare::{Drift, drift};
 use schuler::link::gap::Bridge;
-use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
 use std::cell::{Cell, RefCell};
 
@@ -33,6 +33,9 @@ pub struct Simulation<'a> {
     initial: Solution<f64>,
     vehicle: Box<dyn Vehicle>,
     run: u64,
+    /// Samples before the first row.
+    before: u64,
+    aligned: Option<Outcome>,
 }
 
 impl<'a> Simulation<'a> {
@@ -46,11 +49,9 @@ impl<'a> Simulation<'a> {
         let source = Source::new(scene, force_all)?;
         let plan = Plan::new(scene, &source, force_all);
         let theory = Theory::new(scene).map_err(SourceError::Trajectory)?;
-        let interval_s = Pair::new(scene.rate_hz).reciprocal();
-        let initial = start::of_run(&source.initial(0), scene, run);
-        let navigator =
-            navigator::start(&scene.navigator, plan.window, plan.order, interval_s, &initial)?;
-        Ok(Self { scene, source, plan, theory, initial, vehicle: Box::new(navigator), run })
+        let Beginning { navigator, initial, before, outcome } = begin(scene, &source, &plan, run)?;
+        let vehicle = Box::new(navigator);
+        Ok(Self { scene, source, plan, theory, initial, vehicle, run, before, aligned: outcome })
     }
 
     /// Whether theory expects anything at all, so that its columns are not zero throughout.
@@ -85,7 +86,8 @@ impl<'a> Simulation<'a> {
         observe: &mut dyn FnMut(&Instant) -> Result<(), InputError>,
         progress: &dyn Fn(u64),
     ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
-        let Self { scene, source, plan, mut theory, initial, mut vehicle, run } = self;
+        let Self { scene, source, plan, mut theory, initial, mut vehicle, run, before, aligned } =
+            self;
         let (samples, gap) = (scene.samples(), scene.navigator.gap);
         let mut log = Log::new(samples, scene.rate_hz);
         let (written, flown) = (RefCell::new(Ok(())), Cell::new(0));
@@ -108,11 +110,14 @@ impl<'a> Simulation<'a> {
                 *written = observe(&instant);
             }
         };
-        row(0, &initial);
+        row(before, &initial);
         let mut stream = source.start(run);
+        for _ in 0..before {
+            stream.advance();
+        }
         let mut bridge = Bridge::new(gap.into());
         let mut end = None;
-        for sample in 1..=samples {
+        for sample in before + 1..=samples {
             let measured = stream.advance();
             if measured.is_none() || stream.saturated() > 0 {
                 strayed.set(true);
@@ -169,6 +174,7 @@ impl<'a> Simulation<'a> {
             lost: bridge.lost().into(),
             outside,
             link: None,
+            aligned,
         };
         Ok((flight, end.map_or(Ok(()), |(_, error)| Err(error))))
     }

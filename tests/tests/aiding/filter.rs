@@ -1,11 +1,11 @@
-//! Refusals leave every bit; a record restores a filter; what the feedback does to the covariance.
+//! Refusals leave every bit; a record restores a filter; a resonator left alone.
 
 use schuler::aiding::filter::{Filter15, Filter21};
 use schuler::aiding::gate::Rows;
 use schuler::aiding::measurement;
 use schuler::aiding::model::Model;
 use schuler::aiding::states::{Extra, Process, resonator::Resonator};
-use schuler::aiding::surroundings::{Pose, Surroundings};
+use schuler::aiding::surroundings::Pose;
 use schuler::aiding::transition::{Stretch, Transition};
 use schuler::prelude::*;
 use schuler::record::Record;
@@ -98,25 +98,4 @@ fn a_resonator_left_alone_keeps_its_spread() {
         let expected = sway.sigma(n - 15);
         assert!((ud.sigma(n) / expected - 1.0).abs() < 1e-3, "{n}: {} for {expected}", ud.sigma(n));
     }
-}
-
-#[test]
-fn the_covariance_turns_with_a_large_correction() {
-    // What a filter knows of the vertical stays about the vertical, whatever the heading's correction is.
-    let model = Model::new(0.0, 0.0, Process::constant(0.0), Process::constant(0.0));
-    let level =
-        Pose { body_to_ned: Quaternion::IDENTITY.matrix(1.0_f64), velocity_ned: Vector::ZERO };
-    let here = Surroundings::at(&Geodetic { latitude: 0.8, longitude: 0.0, altitude: 0.0 });
-    let mut filter = Filter15::<f64>::new(&model);
-    filter.add_uncertainty(6, Vector::new(1e-3, 2e-3, 1.0), &level);
-    let mut errors = [0.0; 15];
-    errors[8] = 2.0;
-    let correction = filter.feed(&model, &errors, &level, &here);
-    assert!((correction.attitude_ned.z + 2.0).abs() < 1e-12);
-    let ud = filter.covariance();
-    assert!((ud.sigma(8) - 1.0).abs() < 1e-12);
-    // J of a turn about the vertical is sin θ/θ along, (1 − cos θ)/θ across.
-    let (along, across) = (2.0_f64.sin() / 2.0, (1.0 - 2.0_f64.cos()) / 2.0);
-    let expected = (along * 1e-3).hypot(across * 2e-3);
-    assert!((ud.sigma(6) / expected - 1.0).abs() < 1e-9, "{} for {expected}", ud.sigma(6));
 }

@@ -70,11 +70,14 @@ impl<R: Scalar> Aligned<R> {
         }
     }
 
+    /// The standard deviation of the residuals where they are as expected: of n of three degrees of freedom, √(2/3n).
+    pub fn residual_spread(&self) -> R {
+        (R::TWO / (R::of(3.0) * R::count(self.accepted.max(1)))).sqrt()
+    }
+
     /// Whether the residuals are no larger than the standard deviations say: within five of their own, 3n degrees of
     /// freedom of a χ² by its number.
     pub fn fits(&self) -> bool {
-        // The mean of n has the standard deviation √(2/3n).
-        let spread = (R::TWO / (R::of(3.0) * R::count(self.accepted.max(1)))).sqrt();
-        self.residual < R::ONE + R::of(5.0) * spread
+        self.residual < R::ONE + R::of(5.0) * self.residual_spread()
     }
 }

@@ -39,10 +39,10 @@ impl<R: Real> Base<R> {
         Self::Still { displacement_m: R::of(STILL_M) }
     }
 
-    /// A vehicle that sways by some decimetres in about seven seconds.
+    /// A vehicle in a swell of some seven seconds, whose amplitude is about 0.3 m.
     pub fn swaying() -> Self {
         let rate = R::of(core::f64::consts::TAU / 7.0);
-        let sway = Resonator { rms_m: R::of(0.3), rate, damping: R::of(0.03) };
+        let sway = Resonator { rms_m: R::of(0.2), rate, damping: R::of(0.03) };
         Self::Swaying { sway, displacement_m: R::of(1e-2) }
     }
 

@@ -167,19 +167,18 @@ where
         attitude: Euler<R>,
         velocity_ned: Vector<R>,
     ) -> Result<FineState<M, N, P, E>, AlignmentFault> {
-        self.start_unsure(attitude, velocity_ned, self.settings.heading_rad)
+        let initial = Solution::new(self.position, velocity_ned, attitude);
+        self.start_unsure(&initial, self.settings.heading_rad)
     }
 
-    /// The same with a heading of a standard deviation of its own, rad.
+    /// From a solution with a heading of a standard deviation of its own, rad.
     pub(super) fn start_unsure(
         &self,
-        attitude: Euler<R>,
-        velocity_ned: Vector<R>,
+        initial: &Solution<R>,
         heading_rad: R,
     ) -> Result<FineState<M, N, P, E>, AlignmentFault> {
-        let initial = Solution::new(self.position, velocity_ned, attitude);
-        let navigator = self.mechanization.start(&initial).map_err(|_| AlignmentFault::Start)?;
-        let pose = Pose::of(&initial);
+        let navigator = self.mechanization.start(initial).map_err(|_| AlignmentFault::Start)?;
+        let pose = Pose::of(initial);
         let Settings { level_rad, velocity_m_s, base, .. } = self.settings;
         let mut filter = Filter::new(&self.settings.model);
         let all = |x: R| Vector::new(x, x, x);
@@ -251,6 +250,11 @@ where
         Aligned { heading_sigma: heading, ..aligned }
     }
 
+    /// The navigator's solution at the end of its last block.
+    pub fn solution(&self, state: &FineState<M, N, P, E>) -> Solution<R> {
+        self.mechanization.output(&state.navigator).solution()
+    }
+
     /// The covariance of the attitude as a rotation vector in north, east, down, rad².
     pub fn attitude_covariance(&self, state: &FineState<M, N, P, E>) -> [[R; 3]; 3] {
         let pose = Pose::of(&self.mechanization.output(&state.navigator).solution());
@@ -265,7 +269,10 @@ where
             }
             sum
         };
-        [n, e, d].map(|a| [n, e, d].map(|b| along(a, b)))
+        let mut covariance = [n, e, d].map(|a| [n, e, d].map(|b| along(a, b)));
+        let [_, _, [_, _, heading]] = &mut covariance;
+        *heading = *heading + state.unsure * state.unsure;
+        covariance
     }
 
     /// How it is aligned.

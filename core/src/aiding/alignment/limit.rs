@@ -47,8 +47,17 @@ const LONGEST_S: f64 = 86400.0;
 impl<R: Scalar> Limit<R> {
     /// σ of the heading at rest after a time in seconds, rad; the biases are in it, as nothing shows them.
     pub fn heading(&self, here: &Surroundings<R>, time_s: R) -> R {
+        self.with_biases(here, self.rate_variance(here.gravity, time_s))
+    }
+
+    /// The same where it is known that the vehicle does not turn: σ² = (σ_ε² + N²/T)/(ω_ie cosφ)² + (tanφ σ_∇/γ)².
+    pub fn heading_unturned(&self, here: &Surroundings<R>, time_s: R) -> R {
+        self.with_biases(here, self.gyro_noise * self.gyro_noise / time_s)
+    }
+
+    /// σ of the heading from the variance of a turn rate, (rad/s)².
+    fn with_biases(&self, here: &Surroundings<R>, noise: R) -> R {
         let (north, gravity) = (here.earth_rate_ned.x, here.gravity);
-        let noise = self.rate_variance(gravity, time_s);
         let tilt = here.earth_rate_ned.z / north * self.accelerometer_bias / gravity;
         ((self.gyro_bias * self.gyro_bias + noise) / (north * north) + tilt * tilt).sqrt()
     }

@@ -44,7 +44,9 @@ where
         let innovation = pose.to_body(pose.velocity_ned - velocity_ned);
         let earth = pose.to_body(self.here.earth_rate_ned);
         let rows = measurement::zero_velocity(innovation, earth, sigma_m_s);
-        self.take(state, &rows, &pose)
+        let accepted = self.take(state, &rows, &pose)?;
+        self.search(state, &pose)?;
+        Ok(accepted)
     }
 
     /// Carries the filter on to the end of the last block.
@@ -79,7 +81,8 @@ where
         self.search(state, &pose)
     }
 
-    /// Begins to look for the heading, and starts again where a heading that was not known has turned too far for a linear filter.
+    /// Begins to look for the heading, and starts again where a heading that was not known has turned too far for a
+    /// linear filter.
     fn search(
         &self,
         state: &mut FineState<M, N, P, E>,
@@ -102,8 +105,11 @@ where
         }
         let sigma = state.filter.sigma_about(pose.body_to_ned.rows[2]);
         if let Found::Again(heading_rad) = state.search.judge(sigma) {
-            let attitude = self.mechanization.output(&state.navigator).solution().euler();
-            let again = self.start_unsure(attitude, Vector::ZERO, heading_rad)?;
+            let found = self.mechanization.output(&state.navigator).solution();
+            // A vehicle that goes nowhere is where it was.
+            let at_rest = Solution::new(self.position, Vector::ZERO, found.euler());
+            let moves = matches!(self.settings.base, Base::Moving);
+            let again = self.start_unsure(if moves { &found } else { &at_rest }, heading_rad)?;
             let before = state.before.saturating_add(state.integrated);
             *state = FineState { before, ..again };
         }

@@ -21,6 +21,10 @@ pub enum AlignmentFault {
     Start,
     /// A sample that the mechanization refuses; the state is unchanged.
     Rejected(Rejected),
+    /// A second of measurements was refused: the vehicle moves more than its base is said to.
+    Moved,
+    /// A vehicle that moved, but hardly changed its velocity: nothing shows its heading.
+    Unseen,
     /// Estimates that the mechanization refuses: the samples do not fit a vehicle that goes nowhere.
     Diverged,
 }
@@ -34,6 +38,10 @@ impl core::fmt::Display for AlignmentFault {
             }
             Self::Start => "navigation cannot start from this attitude and place",
             Self::Rejected(rejected) => return rejected.fmt(f),
+            Self::Moved => {
+                "a second of measurements is refused: it moves more than its base is said to"
+            }
+            Self::Unseen => "no heading is seen: the velocity has hardly changed",
             Self::Diverged => {
                 "the estimates diverged: the samples do not fit a vehicle that goes nowhere"
             }

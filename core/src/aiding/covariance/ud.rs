@@ -118,6 +118,20 @@ impl<R: Real, const N: usize, const P: usize> Ud<R, N, P> {
         self.variance(i).sqrt()
     }
 
+    /// hᵀPk: the covariance of two combinations of states.
+    pub fn covariance_of(&self, h: &[R; N], k: &[R; N]) -> R {
+        let mut sum = R::ZERO;
+        for j in 0..N {
+            let (above, d) = self.column(j);
+            let along = |h: &[R; N]| {
+                above.iter().zip(h).fold(R::ZERO, |f, (u, h)| f + *u * *h)
+                    + h.get(j).copied().unwrap_or(R::ZERO)
+            };
+            sum = sum + along(h) * along(k) * d;
+        }
+        sum
+    }
+
     /// hᵀPh: the variance of a combination of states.
     pub fn variance_of(&self, h: &[R; N]) -> R {
         let mut sum = R::ZERO;

@@ -127,17 +127,20 @@ impl<R: Real> Extra<R> {
         }
     }
 
-    /// Carries covariance and estimate on over a step.
+    /// Carries covariance and estimate on over a step; the result is the factor of a single number.
     pub fn advance<const N: usize, const P: usize>(
         &self,
         ud: &mut Ud<R, N, P>,
         first: usize,
         estimate: &mut [R],
         transition: &Transition<R>,
-    ) {
+    ) -> R {
         let process = match self {
-            Self::Resonator(x) => return x.advance(ud, first, estimate, transition),
-            Self::LeverArm(_) | Self::Latency(_) => return,
+            Self::Resonator(x) => {
+                x.advance(ud, first, estimate, transition);
+                return R::ONE;
+            }
+            Self::LeverArm(_) | Self::Latency(_) => return R::ONE,
             Self::Number(process) => *process,
             Self::Scale(x) => x.process(),
         };
@@ -145,6 +148,7 @@ impl<R: Real> Extra<R> {
         for estimate in estimate {
             *estimate = *estimate * factor;
         }
+        factor
     }
 
     /// Takes the estimated errors off the estimates.

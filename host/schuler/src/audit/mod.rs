@@ -62,7 +62,7 @@ fn record(args: &RecordArgs) -> Result<(), FlightError> {
     let chosen = chosen(&args.configuration)?;
     let provenance = provenance::line();
     for name in &args.scene {
-        let mut scene = scene::load(name)?;
+        let mut scene = scene::without_alignment(scene::load(name)?)?;
         args.flight.apply(&mut scene)?;
         let cadence = record::Cadence {
             checkpoint: args.checkpoint,

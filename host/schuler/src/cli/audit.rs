@@ -104,5 +104,6 @@ impl SensitivityArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
         load(self.scene.as_deref(), &self.flight, &self.navigator, &Handling::default())
+            .and_then(schuler_simulator::scene::without_alignment)
     }
 }

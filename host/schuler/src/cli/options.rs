@@ -128,7 +128,7 @@ pub(super) fn number(text: &str, range: &Range) -> Result<f64, Complaint> {
         .and_then(|value| range.check(value))
 }
 
-fn seed(text: &str) -> Result<u64, Complaint> {
+pub(super) fn seed(text: &str) -> Result<u64, Complaint> {
     let accepted = format!("an integer from 0 to {}", u64::MAX);
     text.parse().map_err(|_| Complaint::new("is not a seed", accepted))
 }

@@ -283,6 +283,7 @@ fn unavailable(error: Unavailable) -> InputError {
         Unavailable::Window { .. } | Unavailable::NoWindow => "--window",
         Unavailable::TwoFloat => "--precision",
         Unavailable::Start(_) => "--initial",
+        Unavailable::Alignment { .. } | Unavailable::NoAlignment(_) => "--align",
     };
     InputError::option(option, error.complaint())
 }

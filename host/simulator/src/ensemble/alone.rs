@@ -15,6 +15,8 @@ pub(super) struct Alone<'a> {
     navigator: Box<dyn Navigate>,
     run: u64,
     stream: Samples<'a>,
+    /// Samples before its first one.
+    before: u64,
     /// Samples taken.
     taken: u64,
     failure: Option<Failure>,
@@ -22,8 +24,9 @@ pub(super) struct Alone<'a> {
 
 impl<'a> Alone<'a> {
     /// The run of a number, with a navigator at its start.
-    pub fn new(navigator: Box<dyn Navigate>, source: &'a Source, run: u64) -> Self {
-        Self { navigator, run, stream: source.start(run), taken: 0, failure: None }
+    /// It begins after samples that an alignment has taken.
+    pub fn new(navigator: Box<dyn Navigate>, source: &'a Source, run: u64, before: u64) -> Self {
+        Self { navigator, run, stream: source.start(run), before, taken: 0, failure: None }
     }
 
     fn measure(&mut self, perfect: &[Increment<f64>]) -> Vec<Increment<f64>> {
@@ -52,8 +55,10 @@ impl Group for Alone<'_> {
             return;
         }
         let measured = self.measure(perfect);
-        if let Err(Refused { taken, reason }) = self.push(&measured, held) {
-            let sample = self.taken + taken as u64 + 1;
+        let passed = self.before.saturating_sub(self.taken).min(measured.len() as u64);
+        let flown = &measured[passed as usize..];
+        if let Err(Refused { taken, reason }) = self.push(flown, held) {
+            let sample = self.taken + passed + taken as u64 + 1;
             self.failure = Some(Failure { run: self.run, sample, why: reason });
         }
         self.taken += perfect.len() as u64;

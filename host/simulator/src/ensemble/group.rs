@@ -3,10 +3,11 @@
 use super::alone::Alone;
 use super::pack::Pack;
 use super::runs::Group;
+use crate::alignment::begin::begin;
 use crate::lanes::abreast::{Abreast, Packed};
 use crate::lanes::pack::Lanes;
 use crate::lanes::{InLanes, Registers, in_registers};
-use crate::navigator::{self, Unavailable};
+use crate::navigator::Unavailable;
 use crate::plan::Plan;
 use crate::scene::{Axes, Precision, Scene};
 use crate::simulate::start;
@@ -80,22 +81,16 @@ impl<'a> Ground<'a> {
         runs: Range<u64>,
     ) -> Result<Option<Box<dyn Group + 'a>>, Unavailable> {
         match unit {
-            // Lanes are of double precision.
+            // Lanes are of double precision, and begin together.
             Unit::In(_) if self.scene.navigator.precision != Precision::F64 => Ok(None),
+            Unit::In(_) if self.scene.alignment.is_some() => Ok(None),
             Unit::In(registers) => {
                 in_registers(registers, Start { ground: self, runs }).unwrap_or(Ok(None))
             }
             Unit::Alone => {
-                let (navigator, plan) = (&self.scene.navigator, &self.plan);
-                let interval_s = self.interval_s();
-                let navigator = navigator::start(
-                    navigator,
-                    plan.window,
-                    plan.order,
-                    interval_s,
-                    &self.initial(runs.start),
-                )?;
-                Ok(Some(Box::new(Alone::new(navigator, self.source, runs.start))))
+                let run = runs.start;
+                let begun = begin(self.scene, self.source, &self.plan, run)?;
+                Ok(Some(Box::new(Alone::new(begun.navigator, self.source, run, begun.before))))
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::input::Complaint;
 use crate::scene::{Algorithm, Navigator, Precision, WindowShape};
+use schuler::aiding::alignment::verdict::AlignmentFault;
 use schuler::flight::catalogue::{Catalogue as _, Every};
 use schuler::flight::configuration::Configuration;
 use schuler::strapdown::block::window::{H0B4A0, Window as _};
@@ -26,6 +27,17 @@ pub enum Unavailable {
     TwoFloat,
     /// The core refuses to start.
     Start(StartError),
+    /// The alignment of a run does not start, or does not end.
+    Alignment {
+        /// The run.
+        run: u64,
+        /// The sample that it did not take, from 1; 0 if it does not start.
+        sample: u64,
+        /// Why not.
+        why: AlignmentFault,
+    },
+    /// There is no such alignment of the scene.
+    NoAlignment(Complaint),
 }
 
 impl Unavailable {
@@ -37,6 +49,7 @@ impl Unavailable {
             Self::Start(StartError::Pole) => "trajectory.latitude_deg",
             Self::Start(StartError::Position | StartError::Velocity) => "trajectory",
             Self::Start(_) => "navigator",
+            Self::Alignment { .. } | Self::NoAlignment(_) => "alignment",
         }
     }
 
@@ -54,6 +67,11 @@ impl Unavailable {
                 Complaint::new("f32x2 is not to be had here", accepted)
             }
             Self::Start(error) => Complaint::new(error.to_string(), ""),
+            Self::Alignment { run, sample, why } => {
+                let at = if *sample > 0 { format!(", sample {sample}") } else { String::new() };
+                Complaint::new(format!("run {run}{at}: {why}"), "")
+            }
+            Self::NoAlignment(complaint) => complaint.clone(),
         }
     }
 }

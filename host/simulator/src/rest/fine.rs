@@ -4,28 +4,33 @@ use super::warn;
 use crate::input::{Complaint, InputError};
 use crate::output::say;
 use crate::recording::navigation::NavigationRow;
-use crate::units::{DEGREE, DEGREE_PER_HOUR};
+use crate::units::{DEGREE, DEGREE_PER_HOUR, DEGREE_PER_ROOT_HOUR};
 use schuler::aiding::alignment::aligned::Aligned;
 use schuler::aiding::alignment::base::STILL_M;
 use schuler::aiding::alignment::fine::Fine15;
 use schuler::aiding::alignment::limit::Limit;
 use schuler::aiding::alignment::settings::Settings;
+use schuler::aiding::alignment::verdict::AlignmentFault;
 use schuler::aiding::model::Model;
 use schuler::aiding::states::Process;
 use schuler::aiding::surroundings::Surroundings;
 use schuler::alignment::judge::Quality;
 use schuler::alignment::still::Readings;
+use schuler::earth::Geodetic;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
 use schuler::navigators::Navigator4;
 use schuler::sample::Increment;
+use schuler::solution::Euler;
 use schuler::units::MICRO_G;
 
 /// Biases that no reading shows are taken for at least these: of a good gyro, and of the Earth's real field.
 const LEAST_GYRO: f64 = 0.01 * DEGREE_PER_HOUR;
 const LEAST_ACCELEROMETER: f64 = 100.0 * MICRO_G;
-/// Noise below these is none, rad/√s and m/s/√s.
-const LEAST_NOISE: [f64; 2] = [1e-8, 1e-6];
+/// By how many standard deviations the residuals may rise where the gyros are taken for quieter.
+const RISE: f64 = 3.0;
+/// Noise of a good sensor, rad/√s and m/s/√s: a short stretch does not show less.
+const LEAST_NOISE: [f64; 2] = [1e-3 * DEGREE_PER_ROOT_HOUR, 5.0 * MICRO_G];
 /// Standard deviation of a level from the means, rad.
 const LEVEL: f64 = 0.01;
 /// A first heading has at least this standard deviation, rad.
@@ -74,7 +79,31 @@ impl Stretch {
         self.samples.len() >= 16
     }
 
-    /// Aligns from the attitude of the means. `piece_s` is the length of the pieces that the noise is of.
+    /// The alignment with sensors that are taken for these.
+    fn filter(
+        &self,
+        sensors: &Limit<f64>,
+        place: &Geodetic<f64>,
+        first: Euler<f64>,
+        heading_rad: f64,
+    ) -> Result<Aligned<f64>, AlignmentFault> {
+        let model = Model::new(
+            sensors.gyro_noise,
+            sensors.accelerometer_noise,
+            Process::constant(sensors.gyro_bias),
+            Process::constant(sensors.accelerometer_bias),
+        );
+        let settings = Settings { level_rad: LEVEL, heading_rad, ..Settings::new(model) };
+        let navigator = Navigator4::new(self.interval).map_err(|_| AlignmentFault::Settings)?;
+        let fine = Fine15::new(navigator, self.interval, place, settings)?;
+        let mut state = fine.start(first)?;
+        for sample in &self.samples {
+            fine.push(&mut state, *sample)?;
+        }
+        Ok(fine.aligned(&state))
+    }
+
+    /// Aligns from the attitude of the means.
     pub fn refine(
         &self,
         file: &str,
@@ -86,25 +115,21 @@ impl Stretch {
         let refuse = |what: String, accepted: &str| {
             InputError::file(file, Complaint::new(what, accepted.to_owned()))
         };
-        let sensors = sensors(readings, quality, piece_s);
-        let model = Model::new(
-            sensors.gyro_noise,
-            sensors.accelerometer_noise,
-            Process::constant(sensors.gyro_bias),
-            Process::constant(sensors.accelerometer_bias),
-        );
-        let heading_rad = (3.0 * quality.heading_sigma).clamp(HEADING, UNKNOWN);
-        let settings = Settings { level_rad: LEVEL, heading_rad, ..Settings::new(model) };
-        let stopped = |fault: &dyn core::fmt::Display| refuse(format!("no alignment: {fault}"), "");
-        let navigator = Navigator4::new(self.interval).map_err(|fault| stopped(&fault))?;
         let place = coarse.position;
-        let fine = Fine15::new(navigator, self.interval, &place, settings)
-            .map_err(|fault| stopped(&fault))?;
-        let mut state = fine.start(coarse.attitude).map_err(|fault| stopped(&fault))?;
-        for sample in &self.samples {
-            fine.push(&mut state, *sample).map_err(|fault| stopped(&fault))?;
-        }
-        let aligned = fine.aligned(&state);
+        let heading_rad = (3.0 * quality.heading_sigma).clamp(HEADING, UNKNOWN);
+        let filtered = |sensors: &Limit<f64>| {
+            let stopped = |fault: AlignmentFault| refuse(format!("no alignment: {fault}"), "");
+            self.filter(sensors, &place, coarse.attitude, heading_rad).map_err(stopped)
+        };
+        // The scatter of the sensors, and the gyros' mean, have the vehicle's own motion in them. The filter follows
+        // that: what its residuals bear, and the biases that it finds, are the sensors' own.
+        let sensors = sensors(readings, quality, piece_s);
+        let seen = filtered(&sensors)?;
+        let borne = seen.residual * (1.0 + RISE * seen.residual_spread());
+        let bears = |aligned: &Aligned<f64>| aligned.residual <= borne && aligned.moved_s.is_none();
+        let (sensors, found) = quietest((sensors, seen), &filtered, &bears)?;
+        let sensors = Limit { gyro_bias: bias_seen(&found), ..sensors };
+        let aligned = filtered(&sensors)?;
         if let Some(moved_s) = aligned.moved_s {
             let what = format!(
                 "the vehicle moved: after {moved_s:.1} s of the stretch at rest it is farther from its \
@@ -129,13 +154,44 @@ impl Stretch {
 }
 
 /// The sensors as the readings show them. |ω| shows the errors of two axes of three, |f| those of one.
-pub fn sensors(readings: &Readings<f64>, quality: &Quality<f64>, piece_s: f64) -> Limit<f64> {
+fn sensors(readings: &Readings<f64>, quality: &Quality<f64>, piece_s: f64) -> Limit<f64> {
     Limit {
         gyro_noise: (readings.rate_noise * piece_s.sqrt()).max(LEAST_NOISE[0]),
         accelerometer_noise: (readings.force_noise * piece_s.sqrt()).max(LEAST_NOISE[1]),
         gyro_bias: (quality.rate_off * 0.5_f64.sqrt()).max(LEAST_GYRO),
         accelerometer_bias: quality.force_off.abs().max(LEAST_ACCELEROMETER),
     }
+}
+
+/// The sensors with the least noise that the residuals bear, by halves: the gyros', then the accelerometers'.
+fn quietest(
+    (mut sensors, mut found): (Limit<f64>, Aligned<f64>),
+    filtered: &dyn Fn(&Limit<f64>) -> Result<Aligned<f64>, InputError>,
+    bears: &dyn Fn(&Aligned<f64>) -> bool,
+) -> Result<(Limit<f64>, Aligned<f64>), InputError> {
+    let noises: [fn(&mut Limit<f64>) -> &mut f64; 2] =
+        [|sensors| &mut sensors.gyro_noise, |sensors| &mut sensors.accelerometer_noise];
+    for (noise, least) in noises.into_iter().zip(LEAST_NOISE) {
+        loop {
+            let mut quieter = sensors;
+            *noise(&mut quieter) = (0.5 * *noise(&mut quieter)).max(least);
+            if quieter == sensors {
+                break;
+            }
+            let tried = filtered(&quieter)?;
+            if !bears(&tried) {
+                break;
+            }
+            (sensors, found) = (quieter, tried);
+        }
+    }
+    Ok((sensors, found))
+}
+
+/// Rms of the gyro biases that an alignment shows: those of two axes of three, the third is what limits its heading.
+fn bias_seen(aligned: &Aligned<f64>) -> f64 {
+    let [bias, sigma] = aligned.gyro_bias;
+    (0.5 * bias.dot(bias)).sqrt().max(sigma.x.min(sigma.y).min(sigma.z)).max(LEAST_GYRO)
 }
 
 /// What an alignment found.

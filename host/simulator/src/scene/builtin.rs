@@ -24,6 +24,9 @@ const SCENES: &[(&str, &str)] = scenes![
     "waypoints",
     "drive",
     "pole-circuit",
+    "align-still",
+    "align-turn",
+    "align-sway",
 ];
 
 /// The scene that flies when none is named.

@@ -37,6 +37,9 @@ const MAX_ACCELERATION: f64 = 1e5;
 /// Speed along one channel, m/s.
 const MAX_SPEED: f64 = 1e5;
 
+/// Samples that an alignment's navigator takes at once.
+const BLOCK: f64 = 4.0;
+
 /// What a window may be, for people.
 pub fn windows() -> String {
     let shapes: Vec<_> = NAMED.iter().map(WindowShape::to_string).collect();
@@ -184,7 +187,25 @@ pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
         }
     }
     latency(scene)?;
+    alignment(scene)?;
     jitter(scene)
+}
+
+/// Refuses an alignment that leaves no time for navigation, or misses samples.
+fn alignment(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
+    let Some(alignment) = scene.alignment else { return Ok(()) };
+    let longest_s = scene.duration_s - BLOCK / scene.rate_hz;
+    if !(BLOCK / scene.rate_hz..=longest_s).contains(&alignment.duration_s) {
+        let what =
+            format!("{} s are not within the scene's {}", alignment.duration_s, scene.duration_s);
+        let accepted = format!("seconds, from {} to {longest_s}", BLOCK / scene.rate_hz);
+        return Err(("alignment.duration_s", Complaint::new(what, accepted)));
+    }
+    if scene.link.loss > 0.0 {
+        let complaint = Complaint::new("loses samples, and an alignment needs all of them", "0");
+        return Err(("link.loss", complaint));
+    }
+    Ok(())
 }
 
 /// Refuses a latency of more samples than the core keeps.

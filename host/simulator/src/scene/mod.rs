@@ -2,6 +2,7 @@
 //!
 //! `parse` reads it from TOML, `builtin` holds the scenes that come with the program.
 
+pub mod alignment;
 pub mod build;
 pub mod builtin;
 pub mod felt;
@@ -17,6 +18,7 @@ pub mod window;
 use crate::course::Path;
 use crate::input::document::{Document, did_you_mean};
 use crate::input::{Complaint, InputError, read_text};
+pub use alignment::{Alignment, Base};
 pub use navigator::{Gap, Link, Navigator, Vertical};
 pub use schuler::flight::configuration::{Algorithm, Axes, Precision};
 pub use schuler::strapdown::block::shape::WindowShape;
@@ -49,6 +51,8 @@ pub struct Scene {
     pub accelerometer: SensorErrors,
     /// What the navigator's start is off by.
     pub initial_error: InitialError,
+    /// The alignment that navigation begins with, if any.
+    pub alignment: Option<Alignment>,
     /// How it is navigated.
     pub navigator: Navigator,
     /// What happens to samples on their way.
@@ -82,6 +86,16 @@ pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputErr
         return Err(InputError::option(name_or_path, Complaint::new(what, accepted)));
     }
     parse::scene(name_or_path, &read_text(name_or_path)?)
+}
+
+/// Refuses a scene that begins with an alignment where flights start from what is known.
+pub fn without_alignment(scene: Scene) -> Result<Scene, InputError> {
+    if scene.alignment.is_none() {
+        return Ok(scene);
+    }
+    let what = "begins navigation with an alignment, and here it starts from what is known";
+    let accepted = "a scene without [alignment]; run and ensemble fly it";
+    Err(InputError::option("alignment", Complaint::new(what, accepted)))
 }
 
 /// A complaint about a key of a scene that was loaded, at its line where it is a file's.

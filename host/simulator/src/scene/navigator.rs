@@ -73,6 +73,8 @@ macro_rules! names {
     };
 }
 
+pub(super) use names;
+
 names!(Vertical: Free = "free", Held = "held");
 names!(Gap: Error = "error", Bridge = "bridge");
 

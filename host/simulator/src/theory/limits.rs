@@ -39,6 +39,8 @@ pub enum Outside {
     Jitter,
     /// The path goes over a pole.
     Pole,
+    /// Navigation begins with an alignment.
+    Aligned,
     /// Sensors were at their limit, or samples lost.
     Samples,
 }
@@ -67,6 +69,7 @@ impl Display for Outside {
             }
             Self::Jitter => f.write_str("the sampling jitters"),
             Self::Pole => f.write_str("the path goes over a pole, where north turns round"),
+            Self::Aligned => f.write_str("an alignment comes before navigation"),
             Self::Samples => f.write_str("samples were saturated or lost"),
         }
     }

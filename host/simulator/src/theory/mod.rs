@@ -70,6 +70,8 @@ impl Theory {
         let march = March::new(&course);
         let always = if course.over_a_pole {
             Some(Outside::Pole)
+        } else if scene.alignment.is_some() {
+            Some(Outside::Aligned)
         } else {
             (scene.link.jitter_s > 0.0).then_some(Outside::Jitter)
         };

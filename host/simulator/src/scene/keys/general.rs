@@ -17,9 +17,27 @@ table! {
     ACCELEROMETERS = "accelerometer": Said("a table"), "perfect accelerometers", "the errors of the accelerometers";
     TEMPERATURES = "temperature": Said("a table"), "that of calibration", "the temperature of the sensors";
     INITIAL_ERROR = "initial_error": Said("a table"), "none", "what the navigator's start is off by";
+    ALIGNED = "alignment": Said("a table"), "navigation starts from the truth and `initial_error`", "an alignment that navigation begins with";
     NAVIGATION = "navigator": Said("a table"), "its defaults", "how the samples are navigated";
     LINKED = "link": Said("a table"), "nothing is lost", "what happens to samples on their way";
 }
+
+table! {
+    /// An alignment.
+    ALIGNMENT = "[alignment]", "A filter that finds attitude and biases on the first samples, from the attitude that `initial_error` leaves; navigation begins where it ends.";
+    ALIGNING = "duration_s": Number(SECONDS), "", "how long it takes";
+    BASE = "base": Said("\"still\", \"swaying\", \"moving\""), "\"still\"", "what is known of the motion meanwhile: still stands, or turns about itself; swaying is displaced by decimetres in some seconds; moving has its velocity measured";
+    HEADING_SIGMA = "heading_sigma_deg": Number(FIRST_HEADING), "nothing is known of it", "standard deviation of the first heading, which each run draws";
+    SWAY_RMS = "sway_rms_m": Number(Range { accepted: "metres, above 0", ..Range::POSITIVE }), "0.2", "of a base that sways: rms of its displacement per axis";
+    SWAY_PERIOD = "sway_period_s": Number(SECONDS), "7", "of a base that sways: its period";
+    SWAY_DAMPING = "sway_damping": Number(DAMPING), "0.03", "of a base that sways: how irregular it is, half the width of its spectrum by its frequency";
+    VELOCITY_SIGMA = "velocity_sigma_m_s": Number(SPEED_SIGMA), "0.05", "of a base that moves: standard deviation of a measured velocity";
+    VELOCITY_EVERY = "velocity_interval_s": Number(SECONDS), "1", "of a base that moves: time from one measured velocity to the next";
+}
+
+const FIRST_HEADING: Range = Range::above(0.0, 60.0, "degrees, above 0 and at most 60");
+const DAMPING: Range = Range::from_to(1e-4, 0.5, "a number from 1e-4 to 0.5");
+const SPEED_SIGMA: Range = Range::above(0.0, 1e3, "m/s, above 0 and at most 1e3");
 
 table! {
     /// How it is navigated.

@@ -17,7 +17,7 @@ use crate::flight::Nine;
 use crate::input::key::Table;
 use std::fmt::Write as _;
 
-const TABLES: [&Table; 18] = [
+const TABLES: [&Table; 19] = [
     &general::ROOT,
     &motion::TRAJECTORY,
     &motion::CHANNEL,
@@ -28,6 +28,7 @@ const TABLES: [&Table; 18] = [
     &path::WAYPOINTS,
     &path::POINT,
     &path::LOG,
+    &general::ALIGNMENT,
     &general::NAVIGATOR,
     &general::WINDOW,
     &general::LINK,

@@ -5,15 +5,16 @@ mod trajectory;
 
 use super::keys::general as keys;
 use super::{
-    Algorithm, Axes, Gap, InitialError, Link, Navigator, Precision, Scene, Trajectory, Vertical,
-    WindowShape, limits,
+    Algorithm, Alignment, Axes, Base, Gap, InitialError, Link, Navigator, Precision, Scene,
+    Trajectory, Vertical, WindowShape, limits,
 };
 use crate::flight::Nine;
 use crate::input::document::{Document, Section, Value};
 use crate::input::{Complaint, InputError, Range};
 use crate::navigator;
-use crate::units::ARCSECOND;
+use crate::units::{ARCSECOND, DEGREE};
 use sha2::{Digest as _, Sha256};
+use std::f64::consts::TAU;
 use std::path::Path;
 
 /// More samples than any window spans.
@@ -39,6 +40,7 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
         gyro,
         accelerometer,
         initial_error: initial_error(&root)?,
+        alignment: alignment(&root)?,
         navigator: navigation(&root)?,
         link: link(&root)?,
     };
@@ -101,6 +103,36 @@ fn renamed(mut error: InputError) -> InputError {
         error.complaint = Complaint::new(what, Nine::NAMES.join(", "));
     }
     error
+}
+
+fn alignment(root: &Section<'_>) -> Result<Option<Alignment>, InputError> {
+    let Some(section) = root.table("alignment", &keys::ALIGNMENT)? else { return Ok(None) };
+    let rest = Alignment::new(section.need(&keys::ALIGNING)?);
+    let read = |key| section.read(key);
+    let mut sway = rest.sway;
+    sway.rms_m = read(&keys::SWAY_RMS)?.unwrap_or(sway.rms_m);
+    sway.rate = read(&keys::SWAY_PERIOD)?.map_or(sway.rate, |period_s| TAU / period_s);
+    sway.damping = read(&keys::SWAY_DAMPING)?.unwrap_or(sway.damping);
+    let alignment = Alignment {
+        sway,
+        base: section.get("base").map_or(Ok(rest.base), |value| value.choice(Base::NAMES))?,
+        heading_sigma_rad: read(&keys::HEADING_SIGMA)?.map(|degrees| degrees * DEGREE),
+        velocity_sigma_m_s: read(&keys::VELOCITY_SIGMA)?.unwrap_or(rest.velocity_sigma_m_s),
+        velocity_interval_s: read(&keys::VELOCITY_EVERY)?.unwrap_or(rest.velocity_interval_s),
+        ..rest
+    };
+    let of_bases = [
+        (Base::Swaying, [&keys::SWAY_RMS, &keys::SWAY_PERIOD, &keys::SWAY_DAMPING].as_slice()),
+        (Base::Moving, &[&keys::VELOCITY_SIGMA, &keys::VELOCITY_EVERY]),
+    ];
+    for (base, keys) in of_bases.into_iter().filter(|(base, _)| *base != alignment.base) {
+        if let Some(key) = keys.iter().find(|key| section.get(key.name).is_some()) {
+            let what = format!("is of another base than \"{}\"", alignment.base.name());
+            let accepted = format!("base = \"{}\"", base.name());
+            return Err(section.blame(key.name, Complaint::new(what, accepted)));
+        }
+    }
+    Ok(Some(alignment))
 }
 
 fn navigation(root: &Section<'_>) -> Result<Navigator, InputError> {

@@ -1,7 +1,10 @@
-//! `schuler align`: level, north and biases of a recorded vehicle that stands still.
+//! A recorded vehicle that stands still.
 
+use super::{table, toml};
 use crate::cli::{AlignArgs, Method};
 use crate::replay::{initial, spans};
+use schuler::alignment::inertial::Inertial;
+use schuler::alignment::place::Place as AtRest;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::{say, write};
 use schuler_simulator::recording::clock::Clock;
@@ -13,13 +16,14 @@ use schuler_simulator::recording::timeline::Misfit;
 use schuler_simulator::rest::align;
 use schuler_simulator::rest::fine::{Refined, Stretch};
 use schuler_simulator::simulate::FlightError;
-use schuler_simulator::units::{DEGREE, DEGREE_PER_HOUR};
+use schuler_simulator::units::DEGREE;
 use spans::Place;
+use std::path::Path;
 
 /// Aligns on a stretch of a recording, prints what is found, and writes it.
-pub fn align(args: &AlignArgs) -> Result<(), FlightError> {
-    let replay = args.as_replay()?;
-    let recording = Recording::open_as(&args.imu.display().to_string(), &replay.given())?;
+pub fn align(args: &AlignArgs, imu: &Path) -> Result<(), FlightError> {
+    let replay = args.as_replay(imu)?;
+    let recording = Recording::open_as(&imu.display().to_string(), &replay.given())?;
     let (initial, replay) = initial::initial(&replay, &recording)?;
     let about = spans::about(&replay, &initial);
     let survey = Survey::of(&recording, args.rate.map(|rate_hz| 1.0 / rate_hz), about)?;
@@ -32,11 +36,12 @@ pub fn align(args: &AlignArgs) -> Result<(), FlightError> {
     if !even && args.method == Method::Fine {
         let complaint = Complaint::new(
             "takes samples of one length, and these stamps are no constant rate",
-            "--rate HZ, or --method two-vector",
+            "--rate HZ, or --method auto",
         );
         return Err(InputError::option("--method", complaint).into());
     }
     let mut stretch = Stretch::new(survey.clock.interval());
+    let mut inertial = Inertial::new(&AtRest::new(initial.position));
     let mut samples = Samples::new(&recording, &survey, Some(spans.begin_s))?;
     let mut there = 0;
     while let Some(sample) = samples.advance()? {
@@ -56,19 +61,31 @@ pub fn align(args: &AlignArgs) -> Result<(), FlightError> {
                 there += 1;
                 still.add(&sample.increment, sample.interval_s);
                 stretch.add(&sample.increment);
+                inertial.add(&sample.increment, sample.interval_s);
             }
             Place::Flown | Place::After => break,
         }
     }
-    let fine = (args.method == Method::Fine).then_some(&stretch);
+    let filtered = args.method == Method::Fine || (args.method == Method::Auto && even);
+    let fine = filtered.then_some(&stretch);
     let (name, kind) = (&recording.name, recording.kind);
     let (row, refined) = align::align(&still, kind, name, &initial, None, there, 0, fine)?;
+    let row = match args.method {
+        Method::Inertial => {
+            let found = inertial.attitude().map_err(|error| {
+                InputError::file(name, Complaint::new(error.to_string(), "--method fine"))
+            })?;
+            say(&table::attitude("inertial", &found))?;
+            NavigationRow { attitude: found, ..row }
+        }
+        _ => row,
+    };
     if let (Some(wanted), Some(refined)) = (args.sigma, &refined) {
         good_enough(wanted * DEGREE, refined)?;
     }
     if let Some(out) = &args.out {
         let row = NavigationRow { time_s: spans.navigate_s, ..row };
-        write(out, toml(&row, refined.as_ref()))?;
+        write(out, toml::initial(&row, refined.map(|refined| refined.aligned).as_ref()))?;
     }
     Ok(())
 }
@@ -90,25 +107,4 @@ fn good_enough(wanted: f64, refined: &Refined) -> Result<(), InputError> {
         None => "a larger one: with the biases of these sensors no time would do".to_owned(),
     };
     Err(InputError::option("--sigma", Complaint::new(what, accepted)))
-}
-
-/// An initial.toml, below what is known of it.
-fn toml(row: &NavigationRow, refined: Option<&Refined>) -> String {
-    let mut text = row.toml("schuler align: at the end of the stretch, at rest");
-    if let Some(Refined { aligned, .. }) = refined {
-        let [north, east] = aligned.level_sigma.map(|x| x / DEGREE);
-        let heading = aligned.heading_sigma / DEGREE;
-        text += &format!("# 1σ: level {north:.6}°, {east:.6}°, heading {heading:.6}°\n");
-        let [bias, sigma] = aligned.gyro_bias.map(|v| v.map(|x| x / DEGREE_PER_HOUR));
-        text += &format!(
-            "# gyro biases {:.6}, {:.6}, {:.6} °/h, 1σ {:.6}, {:.6}, {:.6}\n",
-            bias.x, bias.y, bias.z, sigma.x, sigma.y, sigma.z
-        );
-        let [bias, sigma] = aligned.accelerometer_bias;
-        text += &format!(
-            "# accelerometer biases {:.3e}, {:.3e}, {:.3e} m/s², 1σ {:.3e}, {:.3e}, {:.3e}\n",
-            bias.x, bias.y, bias.z, sigma.x, sigma.y, sigma.z
-        );
-    }
-    text
 }

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use schuler_host::cli::Every;
 use schuler_host::report::thinned::Thinned;
-use schuler_host::report::{self, html, plot, summary};
+use schuler_host::report::{html, plot, summary};
 use schuler_simulator::flight::{self, Instant, Nine};
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
 use schuler_simulator::scene::Scene as Flown;
@@ -205,9 +205,7 @@ impl Flight {
 
     /// What the program prints.
     fn __str__(&self) -> String {
-        let neglected = self.flight.neglected.map(|neglected| neglected.line());
-        let planned = report::planned(&self.flight);
-        report::table(&self.flight) + &planned + &neglected.unwrap_or_default()
+        schuler_host::run::text(&self.flight)
     }
 
     fn __repr__(&self) -> String {

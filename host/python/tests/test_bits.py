@@ -63,9 +63,10 @@ class Bits(unittest.TestCase):
         for scene in ("paper", TURNS):
             for options in ({}, {"precision": "f32", "window": "0,4,0"}, {"algorithm": "textbook"}):
                 given = [x for name, value in options.items() for x in (f"--{name}", value)]
-                done("run", scene, "--no-report", "--out", self.folder, *given)
+                printed = done("run", scene, "--no-report", "--out", self.folder, *given)
                 told = summary(self.folder)
                 flight = schuler.run(scene, rows=False, **options)  # type: ignore[arg-type]
+                self.assertEqual(f"{flight}written to {self.folder}\n", printed)
                 self.assertEqual(flight.digest, told["digest"], (scene, options))
                 for key in ("time", "command", "files"):
                     told.pop(key)

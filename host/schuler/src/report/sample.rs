@@ -87,6 +87,7 @@ pub fn scaled(scale: f64) -> Flight {
         },
         accelerometer: SensorErrors { gauss_markov: markov(100.0 * MICRO_G), ..Default::default() },
         initial_error: Default::default(),
+        alignment: None,
         navigator: Navigator::default(),
         link: Link::default(),
     };
@@ -94,6 +95,7 @@ pub fn scaled(scale: f64) -> Flight {
         scene,
         samples: 36_000,
         ended: None,
+        aligned: None,
         window: Some(WindowShape { history: 2, block: 4, lookahead: 2 }),
         planned: None,
         edges: Some(Edges {

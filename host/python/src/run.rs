@@ -10,8 +10,12 @@ use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use schuler_host::cli::Every;
+use schuler_host::report::files::end_covariance;
+use schuler_host::report::html::{self, Shown};
+use schuler_host::report::sensors::Sensors;
 use schuler_host::report::thinned::Thinned;
-use schuler_host::report::{html, plot, summary};
+use schuler_host::report::traces::Traces;
+use schuler_host::report::{plot, summary};
 use schuler_simulator::flight::{self, Instant, Nine};
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
 use schuler_simulator::scene::Scene as Flown;
@@ -22,6 +26,10 @@ use schuler_simulator::simulate::{FlightError, Simulation};
 pub struct Flight {
     flight: flight::Flight,
     tables: Option<Tables>,
+    /// What the page shows of every row.
+    traces: Traces,
+    /// The number of the run, whose sensors the page shows.
+    run: u64,
 }
 
 /// Drift beside theory, computed and true motion.
@@ -91,10 +99,11 @@ fn fly(
     scene: &Flown,
     force_all: bool,
     run: u64,
-    rows: &mut Option<Growing>,
+    (rows, traces): (&mut Option<Growing>, &mut Traces),
     watch: &mut Watch,
 ) -> Result<End, FlightError> {
     let mut observe = |instant: &Instant| {
+        traces.row(instant);
         if let Some(rows) = rows {
             rows.row(instant);
         }
@@ -117,16 +126,16 @@ pub fn run(
 ) -> Answer<Flight> {
     let scene = scene::of(scene, options)?;
     let every = options::every(every)?;
-    let (end, rows, watch) = py.detach(|| {
+    let (end, rows, traces, watch) = py.detach(|| {
         let mut rows = rows.then(|| Growing::new(&scene, every));
-        let mut watch = Watch::new();
-        let end = fly(&scene, force_all, run, &mut rows, &mut watch);
-        (end, rows, watch)
+        let (mut traces, mut watch) = (Traces::default(), Watch::new());
+        let end = fly(&scene, force_all, run, (&mut rows, &mut traces), &mut watch);
+        (end, rows, traces, watch)
     });
     watch.raised()?;
     let (flight, end) = end?;
     let tables = rows.map(|rows| rows.tables(py)).transpose()?;
-    let flown = Flight { flight, tables };
+    let flown = Flight { flight, tables, traces, run };
     match end {
         Ok(()) => Ok(flown),
         Err(error) => {
@@ -188,12 +197,17 @@ impl Flight {
     /// `summary.json` as a dict, without the command line and the files that there are none of.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        notebook::summary(py, &summary::json(&self.flight, &[]))
+        notebook::summary(py, &summary::json(&self.flight, &[], None))
     }
 
     /// `report.html`.
     fn report(&self, py: Python<'_>) -> String {
-        py.detach(|| html::page(&self.flight))
+        py.detach(|| {
+            let sensors = Sensors::of(&self.flight, self.run).ok();
+            let covariance_m2 = end_covariance(&self.flight);
+            let traces = self.traces.clone();
+            html::page(&self.flight, &Shown { traces, sensors, covariance_m2, lockstep: None })
+        })
     }
 
     /// `drift.png`.

@@ -1,5 +1,6 @@
 //! `schuler run`: the main job.
 
+use crate::aided;
 use crate::align::table;
 use crate::cli::RunArgs;
 use crate::report::messages::Messages;
@@ -17,6 +18,7 @@ use std::path::Path;
 pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
     let directory = args.folder(&scene);
+    report::files::tell_replaced(&directory);
     let (flight, end) = fly(args, &scene, &directory).inspect_err(|_| {
         if let Some(note) = report::files::of_earlier(&directory) {
             eprintln!("{note}");
@@ -32,7 +34,8 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
 pub fn text(flight: &Flight) -> String {
     let neglected = flight.neglected.map(|neglected| neglected.line()).unwrap_or_default();
     let aligned = flight.aligned.as_ref().map(table::begun).unwrap_or_default();
-    report::table(flight) + &aligned + &report::planned(flight) + &neglected
+    let aided = flight.aided.as_ref().map(aided::lines).unwrap_or_default();
+    report::table(flight) + &aligned + &aided + &report::planned(flight) + &neglected
 }
 
 /// Flies, and puts the files in their places: what was flown, and what ended it early, if anything.
@@ -68,6 +71,6 @@ fn fly(
     let (flight, end) = simulation.fly_as_far(&mut row, &|sample| progress.reach(sample))?;
     progress.finish();
     let messages = messages.map(Messages::into_file).transpose()?;
-    files.finish(&flight, messages.into_iter().collect())?;
+    files.finish(&flight, messages.into_iter().collect(), None)?;
     Ok((flight, end))
 }

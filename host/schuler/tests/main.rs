@@ -7,6 +7,7 @@
 //! | `scene` | what scenes may say |
 //! | `recording`, `rest` | what recordings may say, and what contradicts itself |
 //! | `reference` | positions that others measured |
+//! | `aided` | scenes aided by satellites, wheels, a barometer |
 //! | `align` | level and north by runs of a scene and by recordings |
 //! | `allan` | sensors by their Allan deviation, and by their data sheets |
 //! | `audit` | chains, recorded and compared |
@@ -14,10 +15,12 @@
 //! | `frontier` | run time against error |
 //! | `hil` | a target and its twin |
 //! | `mcap` | ROS 2 messages |
+//! | `terminal` | tables of 80 columns, and words for what cannot be |
 //! | `trajectory` | what a flight is like, its files, and scenes to start from |
 //! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
+mod aided;
 mod align;
 mod allan;
 mod audit;
@@ -37,4 +40,5 @@ mod scene;
 mod stochastic;
 mod stress;
 mod summaries;
+mod terminal;
 mod trajectory;

@@ -1,5 +1,6 @@
 //! The result of a run, from which the summary and the report are made.
 
+use crate::aided::report::Report;
 use crate::alignment::outcome::Outcome;
 use crate::high::Neglected;
 use crate::scene::{Scene, WindowShape};
@@ -272,6 +273,8 @@ pub struct Flight {
     pub link: Option<LinkReport>,
     /// The alignment that it began with, if any.
     pub aligned: Option<Outcome>,
+    /// What became of the measurements that aided it, if any.
+    pub aided: Option<Report>,
     /// Stage times; absent when not measured.
     pub time: Option<StageTimes>,
 }

@@ -4,12 +4,13 @@
 //!
 //! | room | what it has |
 //! |---|---|
-//! | [`units`], [`number`], [`mod@quartile`], [`input`], [`output`], [`progress`] | units, numbers for people, files in and out |
+//! | [`units`], [`number`], [`mod@quartile`], [`mod@quadratic`], [`parallel`], [`input`], [`output`], [`progress`] | units, numbers for people, files in and out |
 //! | [`scene`] | what flies, what the sensors get wrong, how it is navigated |
 //! | [`course`], [`source`], [`emulator`] | motion, truth, perfect increments, sensors |
 //! | [`navigator`], [`lanes`], [`ensemble`], [`twin`] | the core's navigators: one, many abreast, a target's copy |
 //! | [`rounding`] | flights that round at random |
 //! | [`plan`], [`lively`], [`timing`] | the window for a scene, and what a stage costs |
+//! | [`alignment`], [`aided`] | what comes before navigation, and what aids it |
 //! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`portrait`], [`formats`] | what a motion is like, and its path for other tools |
@@ -17,6 +18,7 @@
 //! | [`mod@reference`] | positions of others: a reference, way-points |
 //! | [`allan`], [`datasheet`] | sensors identified by their Allan deviation, or by their data sheet |
 
+pub mod aided;
 pub mod alignment;
 pub mod allan;
 pub mod course;
@@ -32,9 +34,11 @@ pub mod lively;
 pub mod navigator;
 pub mod number;
 pub mod output;
+pub mod parallel;
 pub mod plan;
 pub mod portrait;
 pub mod progress;
+pub mod quadratic;
 pub mod quartile;
 pub mod recording;
 pub mod reference;

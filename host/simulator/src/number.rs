@@ -52,14 +52,15 @@ const ATTITUDE: [Unit; 6] = units([
 
 impl Quantity {
     /// The unit in which numbers up to `largest` (m, m/s, arcsec) are best read: the plain one
-    /// from 1 to 99999, else the one that makes the largest at least 1.
+    /// from 1 to 99999, of angles to 1800, else the one that makes the largest at least 1; half a degree is one.
     pub fn unit(self, largest: f64) -> Unit {
         let [huge, plain, small @ .., tiny] = match self {
             Self::Position => POSITION,
             Self::Velocity => VELOCITY,
             Self::Attitude => ATTITUDE,
         };
-        if largest >= 1e5 {
+        let most = if self == Self::Attitude { 1800.0 } else { 1e5 };
+        if largest >= most {
             huge
         } else if largest >= 1.0 || largest == 0.0 || !largest.is_finite() {
             plain
@@ -160,6 +161,8 @@ mod tests {
             assert_eq!(Quantity::Position.unit(largest).name, name, "{largest}");
         }
         assert_eq!(Quantity::Attitude.show(-1.8e5), "-50.00 °");
+        assert_eq!(Quantity::Attitude.show(1800.0), "0.5000 °");
+        assert_eq!(Quantity::Attitude.show(1799.0), "1799 arcsec");
         assert_eq!(Quantity::Velocity.show(2.5e-4), "250.0 µm/s");
     }
 

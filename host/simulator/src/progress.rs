@@ -1,9 +1,9 @@
 //! A progress bar for tasks of more than a second, if the output is a terminal.
 
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use std::cell::OnceCell;
 use std::fmt::Write;
 use std::io::IsTerminal;
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 /// Before this, nobody is shown a bar.
@@ -13,7 +13,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 pub struct Progress {
     start: Instant,
     samples: u64,
-    bar: OnceCell<ProgressBar>,
+    bar: OnceLock<ProgressBar>,
     wanted: bool,
 }
 
@@ -21,7 +21,7 @@ impl Progress {
     /// Towards a number of samples.
     pub fn new(samples: u64) -> Self {
         let wanted = std::io::stderr().is_terminal();
-        Self { start: Instant::now(), samples, bar: OnceCell::new(), wanted }
+        Self { start: Instant::now(), samples, bar: OnceLock::new(), wanted }
     }
 
     /// So many samples are done.
@@ -48,7 +48,7 @@ fn bar(samples: u64, start: Instant) -> ProgressBar {
         // The bar's own buffer takes all.
         let _ = write!(to, "{}", HumanDuration(left));
     };
-    match ProgressStyle::with_template("{bar:40} {percent:>3} % of {len} samples, {left} left") {
+    match ProgressStyle::with_template("{wide_bar} {percent:>3} % of {len} samples, {left} left") {
         Ok(style) => bar.with_style(style.with_key("left", left)),
         Err(_) => bar,
     }
@@ -66,7 +66,7 @@ impl CaseProgress {
             return Self { bar: None };
         }
         let bar = ProgressBar::with_draw_target(Some(cases), ProgressDrawTarget::stderr());
-        let style = ProgressStyle::with_template("{pos} of {len} done, {elapsed}: {prefix} {msg}");
+        let style = ProgressStyle::with_template("{pos} of {len} done, {elapsed}: {wide_msg}");
         bar.enable_steady_tick(Duration::from_millis(500));
         Self { bar: Some(style.map_or(bar.clone(), |style| bar.with_style(style))) }
     }
@@ -74,8 +74,8 @@ impl CaseProgress {
     /// A case begins.
     pub fn begin(&self, name: &str) {
         if let Some(bar) = &self.bar {
-            bar.set_message("");
             bar.set_prefix(name.to_owned());
+            bar.set_message(name.to_owned());
         }
     }
 
@@ -85,7 +85,7 @@ impl CaseProgress {
             && done.is_multiple_of(65536)
             && done > 0
         {
-            bar.set_message(format!("{} %", 100 * done / all.max(1)));
+            bar.set_message(format!("{} % of {}", 100 * done / all.max(1), bar.prefix()));
         }
     }
 

@@ -2,13 +2,16 @@
 
 mod error;
 mod log;
+mod riding;
 pub mod start;
 mod vehicle;
 
 pub use error::{FlightError, Refused};
 pub use log::{Log, largest};
+use riding::{Claims, Riding};
 pub use vehicle::Vehicle;
 
+use crate::aided::vehicle::AidedVehicle;
 use crate::alignment::begin::{Beginning, begin};
 use crate::alignment::outcome::Outcome;
 use crate::flight::{Ended, Flight, Instant, Nine};
@@ -36,6 +39,8 @@ pub struct Simulation<'a> {
     /// Samples before the first row.
     before: u64,
     aligned: Option<Outcome>,
+    /// What an aided navigator says of itself.
+    claims: Option<Claims>,
 }
 
 impl<'a> Simulation<'a> {
@@ -50,13 +55,21 @@ impl<'a> Simulation<'a> {
         let plan = Plan::new(scene, &source, force_all);
         let theory = Theory::new(scene).map_err(SourceError::Trajectory)?;
         let Beginning { navigator, initial, before, outcome } = begin(scene, &source, &plan, run)?;
-        let vehicle = Box::new(navigator);
-        Ok(Self { scene, source, plan, theory, initial, vehicle, run, before, aligned: outcome })
+        let claims = scene.aiding.is_there().then(Claims::default);
+        let vehicle: Box<dyn Vehicle> = match &claims {
+            None => Box::new(navigator),
+            Some(claims) => {
+                let aided = AidedVehicle::new(scene, &source, run, &initial)?;
+                Box::new(Riding::new(aided, navigator, claims.clone()))
+            }
+        };
+        let aligned = outcome;
+        Ok(Self { scene, source, plan, theory, initial, vehicle, run, before, aligned, claims })
     }
 
     /// Whether theory expects anything at all, so that its columns are not zero throughout.
     pub fn expects_scatter(&self) -> bool {
-        !self.theory.is_zero()
+        self.claims.is_some() || !self.theory.is_zero()
     }
 
     /// With something else in place of the navigator: `board` gets the plan and the initial solution.
@@ -86,8 +99,18 @@ impl<'a> Simulation<'a> {
         observe: &mut dyn FnMut(&Instant) -> Result<(), InputError>,
         progress: &dyn Fn(u64),
     ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
-        let Self { scene, source, plan, mut theory, initial, mut vehicle, run, before, aligned } =
-            self;
+        let Self {
+            scene,
+            source,
+            plan,
+            mut theory,
+            initial,
+            mut vehicle,
+            run,
+            before,
+            aligned,
+            claims,
+        } = self;
         let (samples, gap) = (scene.samples(), scene.navigator.gap);
         let mut log = Log::new(samples, scene.rate_hz);
         let (written, flown) = (RefCell::new(Ok(())), Cell::new(0));
@@ -100,7 +123,10 @@ impl<'a> Simulation<'a> {
                 true => Some(Outside::Samples),
                 false => theory.outside(instant.time_s),
             };
-            if outside.is_some() {
+            if let Some(claims) = &claims {
+                (outside, instant.mean, instant.sigma) =
+                    (None, Nine::default(), claims.sigma.get());
+            } else if outside.is_some() {
                 (instant.mean, instant.sigma) = (Nine::UNKNOWN, Nine::UNKNOWN);
             }
             log.add(n, &instant);
@@ -175,6 +201,7 @@ impl<'a> Simulation<'a> {
             outside,
             link: None,
             aligned,
+            aided: claims.and_then(|claims| claims.report.take()),
         };
         Ok((flight, end.map_or(Ok(()), |(_, error)| Err(error))))
     }

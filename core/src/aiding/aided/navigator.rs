@@ -97,13 +97,18 @@ where
     ///
     /// # Errors
     ///
-    /// [`AidedFault::Settings`] or [`AidedFault::Lever`] for what is out of range.
+    /// [`AidedFault::Settings`], [`AidedFault::Lever`] or [`AidedFault::Horizon`] for what is out of range.
     pub fn new(
         mechanization: M,
         interval_s: Pair<R>,
         settings: Settings<R>,
     ) -> Result<Self, AidedFault> {
         let limits = settings.admit(N)?;
+        let horizon = R::count(settings.horizon_samples.unwrap_or(0)) * interval_s.hi;
+        // Measurements end steps early.
+        if horizon > settings.step_s * R::count(L as u32) * R::HALF {
+            return Err(AidedFault::Horizon);
+        }
         let (model, places) = settings.states.placed();
         Ok(Self { mechanization, interval: interval_s, settings, model, places, limits })
     }

@@ -37,7 +37,7 @@ impl<R: Scalar, const N: usize, const E: usize, const L: usize> Path<'_, R, N, E
                 for (cell, factor) in row.iter_mut().skip(GYRO_BIAS).zip(factors.clone()) {
                     *cell = *cell / factor;
                 }
-                past_correction(row, innovation, &entry.errors);
+                *innovation = past_correction(row, *innovation, &entry.errors);
             }
         }
     }

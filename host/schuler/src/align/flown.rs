@@ -9,15 +9,13 @@ use schuler_simulator::alignment::setup::Setup;
 use schuler_simulator::alignment::spread::Spread;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::{say, write};
+use schuler_simulator::parallel;
 use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::navigation::NavigationRow;
 use schuler_simulator::scene::{Base, Scene};
 use schuler_simulator::simulate::FlightError;
 use schuler_simulator::source::Source;
 use schuler_simulator::units::DEGREE;
-use std::num::NonZero;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::thread;
 
 /// Aligns runs of a scene, prints what they are off by, and writes where the first ends.
 pub fn align(args: &AlignArgs, name: &str) -> Result<(), FlightError> {
@@ -87,42 +85,15 @@ fn head(scene: &Scene, setup: &Setup<'_>, method: Method, runs: u64) -> String {
     format!("{}: {runs} of {seconds} s, {method}{base}{still}\n", scene.name)
 }
 
-/// What every run gives, on all processors, in their order; or the first that fails, with its number.
+/// What every run gives, in their order; or the first that fails, with its number.
 fn all<T: Send, E: Send>(
     runs: u64,
     one: &(dyn Fn(u64) -> Result<T, E> + Sync),
 ) -> Result<Vec<T>, (u64, E)> {
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    let (next, progress) = (AtomicU64::new(0), Progress::new(runs));
-    let work = || {
-        let mut done = Vec::new();
-        loop {
-            let run = next.fetch_add(1, Ordering::Relaxed);
-            if run >= runs {
-                return done;
-            }
-            let result = one(run);
-            let failed = result.is_err();
-            done.push((run, result));
-            if failed {
-                next.store(runs, Ordering::Relaxed);
-            }
-        }
-    };
-    let mut done = thread::scope(|scope| {
-        let others: Vec<_> = (1..threads).map(|_| scope.spawn(work)).collect();
-        let mut done = work();
-        for other in others {
-            match other.join() {
-                Ok(more) => done.extend(more),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
-        }
-        done
-    });
+    let progress = Progress::new(runs);
+    let results = parallel::all(runs, one, &|done| progress.reach(done));
     progress.finish();
-    done.sort_by_key(|(run, _)| *run);
-    done.into_iter().map(|(run, result)| result.map_err(|error| (run, error))).collect()
+    results
 }
 
 /// Why a run cannot be aligned.

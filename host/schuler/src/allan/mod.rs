@@ -13,6 +13,7 @@ use schuler_simulator::allan::record::{self, Record, SceneError};
 use schuler_simulator::allan::section::section;
 use schuler_simulator::allan::shape::Shape;
 use schuler_simulator::allan::verdict::{Compared, ComparedTime, Verdict, compare, configured};
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::{self, OutputFile, say};
 use schuler_simulator::recording::rows::Recording;
@@ -174,7 +175,7 @@ impl Findings {
 /// What is measured, and what it is called.
 fn measure(args: &AllanArgs, scene: Option<&Scene>) -> Result<(String, Record), FlightError> {
     if let Some(imu) = &args.imu {
-        let name = imu.display().to_string();
+        let name = name_of(imu);
         let recording = Recording::open_in(&name, args.units.unwrap_or_default())?;
         let span = args.span.map(|span| span.0);
         return Ok((name, record::of_recording(&recording, args.flight.rate, span)?));

@@ -5,6 +5,7 @@ use schuler::digest::Digest;
 use schuler::math::real::Scalar;
 use schuler::noise::{Stream, Streams};
 use schuler::record::Record;
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError, read_text};
 use schuler_simulator::output;
 use serde::Serialize;
@@ -130,7 +131,7 @@ pub fn verify(folder: &Path) -> Result<Option<Vec<Verdict>>, InputError> {
     if !path.exists() {
         return Ok(None);
     }
-    let file = path.display().to_string();
+    let file = name_of(&path);
     let stored = parse(&file, &read_text(&file)?)?;
     let mut verdicts = Vec::new();
     for Function { name, digest } in computed() {

@@ -6,6 +6,7 @@ use super::configuration::Named as _;
 use super::pair::Common;
 use super::record::{Cadence, SHARED, record};
 use schuler::flight::configuration::Configuration;
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError, read_text};
 use schuler_simulator::navigator::stepping;
 use schuler_simulator::scene::{Scene, builtin, limits, parse};
@@ -77,7 +78,7 @@ pub fn verify(
     let of_scene = |name: &str| name.rsplit_once('/').map_or(String::new(), |(s, _)| s.to_owned());
     for group in chains.chunk_by(|a, b| of_scene(&a.0) == of_scene(&b.0)) {
         let read = |(name, path): &(String, PathBuf)| {
-            let file = path.display().to_string();
+            let file = name_of(path);
             Ok((name.clone(), Chain::read(&file)?, file))
         };
         let golden: Vec<_> = group.iter().map(read).collect::<Result<_, InputError>>()?;
@@ -161,7 +162,7 @@ fn flight(folder: &Path, chain: &Chain, file: &str) -> Result<(Scene, Cadence), 
     let toml = folder.join(format!("{name}.toml"));
     let files = [toml.clone(), folder.join("..").join(format!("{name}.toml"))];
     let mut scene = if let Some(toml) = files.iter().find(|file| file.exists()) {
-        let toml = toml.display().to_string();
+        let toml = name_of(toml);
         parse::scene(&toml, &read_text(&toml)?)?
     } else {
         let accepted = format!("{}, or a scene that lies in {}", builtin::list(), toml.display());

@@ -15,6 +15,7 @@
 //! | `heads` | heads that contradict each other |
 //! | `tolerance` | how far fields may be apart |
 //! | `verdict` | whether they are, in words |
+//! | `heat` | that effect as a heat map |
 //! | `sensitivity` | the effect of one unit in the last place |
 //! | `show` | results as tables |
 //! | `page` | results as HTML and JSON |
@@ -26,6 +27,7 @@ pub mod difference;
 pub mod functions;
 pub mod golden;
 pub mod heads;
+mod heat;
 mod label;
 pub mod page;
 pub mod pair;
@@ -40,7 +42,9 @@ mod verdict;
 use crate::cli::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 use chain::Chain;
 use configuration::Named as _;
+use page::Top;
 use schuler::flight::configuration::Configuration;
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator::stepping;
 use schuler_simulator::output::{self, say};
@@ -62,7 +66,7 @@ fn record(args: &RecordArgs) -> Result<(), FlightError> {
     let chosen = chosen(&args.configuration)?;
     let provenance = provenance::line();
     for name in &args.scene {
-        let mut scene = scene::without_alignment(scene::load(name)?)?;
+        let mut scene = scene::unaided(scene::load(name)?)?;
         args.flight.apply(&mut scene)?;
         let cadence = record::Cadence {
             checkpoint: args.checkpoint,
@@ -111,9 +115,11 @@ fn verify(args: &VerifyArgs) -> Result<(), FlightError> {
     let functions = functions.unwrap_or_default();
     let verdicts = golden::verify(&args.folder, &mut |verdict| say(&show::verdict(verdict)))?;
     let failed = verdicts.iter().filter(|verdict| verdict.parting.is_some()).count();
-    say(&format!("{} chains, {failed} of them part\n", verdicts.len()))?;
+    say(&show::verified(&verdicts, failed))?;
     if let Some(folder) = &args.out {
-        page::write(folder, "Golden chains", &show::verdicts(&verdicts), &verdicts)?;
+        let verdict = Some(show::equal(verdicts.len(), failed));
+        let top = Top { title: "Golden chains".to_owned(), verdict, ..Top::default() };
+        page::write(folder, &top, &show::verdicts(&verdicts), &verdicts)?;
     }
     let failed = failed + functions.iter().filter(|function| !function.holds()).count();
     if failed > 0 {
@@ -147,7 +153,7 @@ fn compare(args: &CompareArgs) -> Result<(), FlightError> {
     let rules: Vec<_> = args.ulps.iter().chain(&args.within).cloned().collect();
     let mut found = Vec::new();
     for (name, a, b) in &pairs {
-        let (a, b) = (a.display().to_string(), b.display().to_string());
+        let (a, b) = (name_of(a), name_of(b));
         let (one, other) = (Chain::read(&a)?, Chain::read(&b)?);
         let heads = heads::contradictions(&one, &other);
         say(&show::heads(&heads))?;
@@ -169,7 +175,9 @@ fn compare(args: &CompareArgs) -> Result<(), FlightError> {
         say(&show::first(&found))?;
     }
     if let Some(folder) = &args.out {
-        page::write(folder, "Where chains part", &show::partings(&found), &found)?;
+        let verdict = Some(show::equal(found.len(), parted));
+        let top = Top { title: "Where chains part".to_owned(), verdict, ..Top::default() };
+        page::write(folder, &top, &show::partings(&found), &found)?;
     }
     if parted > 0 {
         return Err(FlightError::Failed { failed: parted, checks: found.len() });
@@ -195,7 +203,8 @@ fn sensitivity(args: &SensitivityArgs) -> Result<(), FlightError> {
     say(&tables.iter().map(page::Table::text).collect::<String>())?;
     if let Some(folder) = &args.out {
         let title = format!("One unit in the last place: {}", scene.name);
-        page::write(folder, &title, &tables, &effects)?;
+        let top = Top { title, figure: heat::map(&effects), verdict: None };
+        page::write(folder, &top, &tables, &effects)?;
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! The result of an audit, as a page for people and as JSON for programs.
 
-use schuler_report::page::{page, panel};
+use crate::report::head;
+use schuler_report::page::{framed, page, verdict};
 use schuler_report::svg::escape;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output;
@@ -16,13 +17,15 @@ pub struct Table {
     pub heads: Vec<String>,
     /// Cells, row by row.
     pub rows: Vec<Vec<String>>,
+    /// Of the rows, those at the start that are marked as bad.
+    pub marked: usize,
 }
 
 impl Table {
     /// Without rows.
     pub fn new(title: &str, heads: &[&str]) -> Self {
         let heads = heads.iter().map(|head| head.to_string()).collect();
-        Self { title: title.to_owned(), heads, rows: Vec::new() }
+        Self { title: title.to_owned(), heads, rows: Vec::new(), marked: 0 }
     }
 
     /// As the terminal shows it: columns aligned, the last as long as it will.
@@ -43,10 +46,21 @@ impl Table {
     }
 }
 
+/// What stands above the tables.
+#[derive(Clone, Debug, Default)]
+pub struct Top {
+    /// The page's title.
+    pub title: String,
+    /// A verdict, where there is one: whether it is good, and its words.
+    pub verdict: Option<(bool, String)>,
+    /// HTML before the tables.
+    pub figure: String,
+}
+
 /// Writes `audit.json` and `audit.html` into a folder.
 pub fn write(
     folder: &Path,
-    title: &str,
+    top: &Top,
     tables: &[Table],
     found: &impl Serialize,
 ) -> Result<(), InputError> {
@@ -58,13 +72,26 @@ pub fn write(
     let mut json = serde_json::to_string_pretty(found).map_err(fault)?;
     json.push('\n');
     output::write(&path, json)?;
-    let section = |table: &Table| {
-        let heads: Vec<&str> = table.heads.iter().map(String::as_str).collect();
-        format!("<h2>{}</h2>\n{}", escape(&table.title), panel(&heads, &table.rows))
-    };
-    let title = escape(title);
+    let title = escape(&top.title);
+    let verdict = top.verdict.as_ref().map_or(String::new(), |(good, text)| verdict(*good, text));
     let sections: String = tables.iter().map(section).collect();
-    let provenance = escape(&super::provenance::line());
-    let body = format!("<h1>{title}</h1>\n<p class=\"quiet\">{provenance}</p>\n{sections}");
+    let (command, provenance) = (escape(&head::command_line()), escape(&super::provenance::line()));
+    let body = format!(
+        "<h1>{title}</h1>\n<p class=\"quiet\">{provenance} · <code>{command}</code></p>\n{verdict}{}{sections}",
+        top.figure
+    );
     output::write(folder.join("audit.html"), page(&title, &body))
+}
+
+fn section(table: &Table) -> String {
+    let heads: String =
+        table.heads.iter().map(|head| format!("<th>{}</th>", escape(head))).collect();
+    let row = |(place, row): (usize, &Vec<String>)| {
+        let cells = row.iter().map(|cell| format!("<td>{}</td>", escape(cell)));
+        let class = if place < table.marked { " class=\"bad\"" } else { "" };
+        format!("<tr{class}>{}</tr>\n", cells.collect::<String>())
+    };
+    let rows: String = table.rows.iter().enumerate().map(row).collect();
+    let content = framed(&format!("<table>\n<tr>{heads}</tr>\n{rows}</table>"));
+    format!("<h2>{}</h2>\n{content}", escape(&table.title))
 }

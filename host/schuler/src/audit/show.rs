@@ -83,21 +83,52 @@ pub fn functions(verdicts: Option<&[functions::Verdict]>) -> String {
 
 /// A line for a golden chain, and where the flight parts from it.
 pub fn verdict(verdict: &Verdict) -> String {
-    let Verdict { chain, digest, held, parting } = verdict;
+    let Verdict { chain, digest, parting, .. } = verdict;
     match parting {
-        None => format!("{chain:48} {digest}  {}\n", same(held)),
-        Some(parting) => format!("{chain:48} {digest}  PARTS\n{}", part(parting, None)),
+        None => format!("equal  {chain:48} {digest}\n"),
+        Some(parting) => format!("PARTS  {chain:48} {digest}\n{}", part(parting, None)),
     }
 }
 
-/// The same for a page.
+/// The same for a page: what parts comes first, with how the difference grows.
 pub fn verdicts(verdicts: &[Verdict]) -> Vec<Table> {
     let mut table = Table::new("Flown again", &["chain", "golden digest", "verdict"]);
-    for Verdict { chain, digest, held, parting } in verdicts {
-        let verdict = parting.as_ref().map_or_else(|| same(held), place);
+    let (bad, good): (Vec<_>, Vec<_>) = verdicts.iter().partition(|v| v.parting.is_some());
+    table.marked = bad.len();
+    let mut tables = Vec::new();
+    for Verdict { chain, digest, held, parting } in bad.into_iter().chain(good) {
+        let verdict = parting.as_ref().map_or_else(|| same(held), |p| format!("✗ {}", place(p)));
         table.rows.push(vec![chain.clone(), digest.clone(), verdict]);
+        tables.extend(parting.as_ref().map(|parting| grown(chain, parting)));
     }
-    vec![table]
+    tables.insert(0, table);
+    tables
+}
+
+/// How many chains part, and what the others have in common.
+pub fn verified(verdicts: &[Verdict], failed: usize) -> String {
+    let equal = || verdicts.iter().filter(|verdict| verdict.parting.is_none());
+    let rows: u64 = equal().map(|verdict| verdict.held.rows as u64).sum();
+    let digests: u64 = equal().map(|verdict| verdict.held.digests as u64).sum();
+    format!(
+        "{} chains, {failed} of them part; the same bits in {rows} rows and {digests} digests\n",
+        verdicts.len()
+    )
+}
+
+/// How many of the chains are equal, for a page.
+pub fn equal(chains: usize, parted: usize) -> (bool, String) {
+    let text = match parted {
+        0 => format!("all of {chains} equal"),
+        _ => format!("{} of {chains} equal", chains - parted),
+    };
+    (parted == 0, text)
+}
+
+fn grown(chain: &str, parting: &Parting) -> Table {
+    let mut table = growth(&parting.growth);
+    table.title = format!("{chain}: {}", table.title);
+    table
 }
 
 fn same(Common { rows, digests, .. }: &Common) -> String {
@@ -157,7 +188,11 @@ pub fn first(found: &[Compared]) -> String {
 pub fn partings(found: &[Compared]) -> Vec<Table> {
     let mut table = Table::new("Compared", &["chain", "rows", "digests", "verdict", "remarks"]);
     let mut tables = Vec::new();
-    for Compared { chain, heads: contradicting, held, parting, fields } in found {
+    let (bad, good): (Vec<_>, Vec<_>) = found.iter().partition(|compared| compared.fails());
+    table.marked = bad.len();
+    for Compared { chain, heads: contradicting, held, parting, fields } in
+        bad.into_iter().chain(good)
+    {
         let verdict = match fields {
             Some(fields) => verdict::near(fields),
             None => parting.as_ref().map_or("the same bits".to_owned(), place),
@@ -167,11 +202,7 @@ pub fn partings(found: &[Compared]) -> Vec<Table> {
         let first = (!contradicting.is_empty()).then_some(contradicting);
         let remarks = first.into_iter().chain(remarks(held)).collect::<Vec<_>>().join("; ");
         table.rows.push(vec![chain.clone(), rows, digests, verdict, remarks]);
-        tables.extend(parting.as_ref().map(|parting| {
-            let mut table = growth(&parting.growth);
-            table.title = format!("{chain}: {}", table.title);
-            table
-        }));
+        tables.extend(parting.as_ref().map(|parting| grown(chain, parting)));
         tables.extend(fields.as_ref().map(|fields| {
             let mut table = verdict::table(fields);
             table.title = format!("{chain}: {}", table.title);

@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
     schuler allan mine.toml --imu still.csv     (is this the sensor that the scene describes?)")]
 pub struct AllanArgs {
     /// A built-in scene or the path of a TOML file, whose terms are compared [default without --imu: paper]
+    #[arg(value_parser = options::name())]
     pub scene: Option<String>,
     /// A recording at rest, instead of the scene's own errors: an imu.csv or a PSINS .imu
     #[arg(long, value_name = "FILE")]

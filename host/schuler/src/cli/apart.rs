@@ -1,5 +1,6 @@
 //! Files that are written over one another, or over one that is read.
 
+use schuler_simulator::input::name::path_of;
 use schuler_simulator::input::{Complaint, InputError};
 use std::path::{Path, PathBuf};
 
@@ -30,7 +31,7 @@ pub(super) fn check(written: &[Written], read: &[(&str, &Path)]) -> Result<(), I
                 Complaint::new(format!("{what}{space}is the file that {by}"), "another file");
             Err(InputError::option(option, complaint))
         };
-        if let Some((by, _)) = read.iter().find(|(_, file)| is_same(path, file)) {
+        if let Some((by, _)) = read.iter().find(|(_, file)| is_same(path, &named(file))) {
             return refuse(by);
         }
         if let Some(other) = written.iter().take(n).find(|other| is_same(path, &other.path)) {
@@ -38,6 +39,11 @@ pub(super) fn check(written: &[Written], read: &[(&str, &Path)]) -> Result<(), I
         }
     }
     Ok(())
+}
+
+/// The file that is read, whose path may stand for one that is not Unicode.
+fn named(file: &Path) -> PathBuf {
+    file.to_str().map_or_else(|| file.to_owned(), path_of)
 }
 
 /// Whether two paths lead to the same file, which need not be there yet.

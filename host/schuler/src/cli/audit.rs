@@ -3,7 +3,7 @@
 use super::{FlightOptions, Handling, NavigatorOptions, load, options};
 use crate::audit::tolerance::Rule;
 use clap::{Args, Subcommand};
-use schuler_simulator::input::InputError;
+use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::scene::Scene;
 use std::path::PathBuf;
 
@@ -27,7 +27,7 @@ pub enum AuditCommand {
 )]
 pub struct RecordArgs {
     /// Built-in scenes (`schuler scenes` lists them) or paths of TOML files
-    #[arg(required = true)]
+    #[arg(required = true, value_parser = options::name())]
     pub scene: Vec<String>,
     /// Folder for the chains: a folder for each scene
     #[arg(long, value_name = "DIR")]
@@ -36,10 +36,10 @@ pub struct RecordArgs {
     #[arg(long, value_name = "NAME")]
     pub configuration: Vec<String>,
     /// Samples from checkpoint to checkpoint
-    #[arg(long, value_name = "K", default_value = "64", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "K", default_value = "64", allow_negative_numbers = true, value_parser = checkpoint)]
     pub checkpoint: u64,
     /// Keep every row up to this sample, later only those at checkpoints [default: every row]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = rows)]
     pub rows: Option<u64>,
     /// What replaces the scenes' own values.
     #[command(flatten)]
@@ -84,10 +84,11 @@ pub struct CompareArgs {
 #[command(after_help = "Example:\n  schuler audit sensitivity hard --precision f32 --after 60")]
 pub struct SensitivityArgs {
     /// A built-in scene or the path of a TOML file, flown with perfect sensors [default: paper]
+    #[arg(value_parser = options::name())]
     pub scene: Option<String>,
     /// Seconds of flight, to the nearest sample, after which to look; may be repeated [default: 1, 10, 100,
     /// 1000 and the end]
-    #[arg(long, value_name = "S", value_parser = options::time_s)]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = options::time_s)]
     pub after: Vec<f64>,
     /// Folder for audit.json and audit.html
     #[arg(long, value_name = "DIR")]
@@ -104,6 +105,14 @@ impl SensitivityArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
         load(self.scene.as_deref(), &self.flight, &self.navigator, &Handling::default())
-            .and_then(schuler_simulator::scene::without_alignment)
+            .and_then(schuler_simulator::scene::unaided)
     }
+}
+
+fn checkpoint(text: &str) -> Result<u64, Complaint> {
+    options::whole(text, 1..=u64::MAX)
+}
+
+fn rows(text: &str) -> Result<u64, Complaint> {
+    options::whole(text, 0..=u64::MAX)
 }

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
     schuler emulate paper --out imu.csv --truth truth.csv")]
 pub struct EmulateArgs {
     /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
+    #[arg(value_parser = options::name())]
     pub scene: Option<String>,
     /// The file to write; the state that navigation starts from goes to initial.toml beside it
     #[arg(long, value_name = "FILE")]

@@ -24,6 +24,7 @@ pub struct EnsembleArgs {
     #[command(subcommand)]
     pub command: Option<EnsembleCommand>,
     /// A built-in scene with random errors, or the path of a TOML file [default: paper]
+    #[arg(value_parser = options::name())]
     pub scene: Option<String>,
     /// How many runs to fly, numbered from 0: what `run` flies is the first
     #[arg(long, value_name = "N", default_value = "64", allow_negative_numbers = true, value_parser = options::runs)]
@@ -78,7 +79,7 @@ pub struct MergeArgs {
     #[arg(required = true, value_name = "PART")]
     pub parts: Vec<PathBuf>,
     /// The scene that they were flown with, where its file is elsewhere now
-    #[arg(long, value_name = "SCENE")]
+    #[arg(long, value_name = "SCENE", value_parser = options::name())]
     pub scene: Option<String>,
     /// Folder for the tables, ensemble.json and ensemble.html [default: out/ and the name of the scene]
     #[arg(long, value_name = "DIR")]

@@ -1,6 +1,6 @@
 //! Options of `hil`.
 
-use super::{Every, FlightOptions, Handling, NavigatorOptions, load};
+use super::{Every, FlightOptions, Handling, NavigatorOptions, load, options};
 use crate::hil::Manner;
 use crate::hil::device::Device;
 use crate::hil::faults::Rates;
@@ -8,7 +8,7 @@ use crate::report::Wanted;
 use clap::Args;
 use schuler_simulator::input::{Complaint, InputError, Range};
 use schuler_simulator::scene::Scene;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Where `tests/firmware` leaves the navigator for QEMU.
@@ -22,13 +22,14 @@ const IMAGE: &str = "tests/firmware/target/thumbv7em-none-eabihf/release/navigat
     schuler hil paper --device serial:/dev/ttyACM0 --stream")]
 pub struct HilArgs {
     /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
+    #[arg(value_parser = options::name())]
     pub scene: Option<String>,
     /// What flies beside the host: twin, qemu, serial:PORT, serial:PORT@BAUD or tcp:HOST:PORT
     #[arg(long, value_name = "DEVICE", default_value = "twin", value_parser = Device::parse)]
     pub device: Device,
-    /// The image that `--device qemu` runs
-    #[arg(long, value_name = "FILE", default_value = IMAGE)]
-    pub image: PathBuf,
+    /// The image that `--device qemu` runs [default: what tests/firmware builds]
+    #[arg(long, value_name = "FILE")]
+    pub image: Option<PathBuf>,
     /// Send each sample at its own time, and measure how long its answer takes
     #[arg(long)]
     pub stream: bool,
@@ -37,10 +38,10 @@ pub struct HilArgs {
     #[arg(long, value_name = "FAULTS", value_parser = Rates::parse)]
     pub faults: Option<Rates>,
     /// Seed of the faults
-    #[arg(long, value_name = "N", default_value = "1", requires = "faults")]
+    #[arg(long, value_name = "N", default_value = "1", requires = "faults", allow_negative_numbers = true, value_parser = seed)]
     pub fault_seed: u64,
     /// How often a sample that is not answered is sent again before it is given up
-    #[arg(long, value_name = "N", default_value = "5")]
+    #[arg(long, value_name = "N", default_value = "5", allow_negative_numbers = true, value_parser = retries)]
     pub retries: u32,
     /// How long each answer is waited for, seconds [default: 5 at first, then as long as answers take]
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = timeout)]
@@ -69,15 +70,26 @@ pub struct HilArgs {
 }
 
 impl HilArgs {
+    /// The image for QEMU; no other device runs one.
+    pub fn image(&self) -> Result<&Path, InputError> {
+        match &self.image {
+            Some(_) if self.device != Device::Qemu => {
+                let what = format!("the device {} runs no image", self.device);
+                Err(InputError::option("--image", Complaint::new(what, "--device qemu beside it")))
+            }
+            image => Ok(image.as_deref().unwrap_or(Path::new(IMAGE))),
+        }
+    }
+
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
         load(self.scene.as_deref(), &self.flight, &self.navigator, &self.handling)
-            .and_then(schuler_simulator::scene::without_alignment)
+            .and_then(schuler_simulator::scene::unaided)
     }
 
     /// What is written of it.
     pub fn wanted(&self) -> Wanted {
-        Wanted { every: self.every, report: !self.no_report, rows: self.rows }
+        Wanted { every: self.every, report: !self.no_report, rows: self.rows, run: 0 }
     }
 
     /// How it is flown.
@@ -95,4 +107,12 @@ fn timeout(text: &str) -> Result<Duration, Complaint> {
     let seconds =
         text.parse().map_err(|_| Complaint::new("is not a number", TIMEOUT_S.accepted))?;
     TIMEOUT_S.check(seconds).map(Duration::from_secs_f64)
+}
+
+fn seed(text: &str) -> Result<u64, Complaint> {
+    options::whole(text, 0..=u64::MAX)
+}
+
+fn retries(text: &str) -> Result<u32, Complaint> {
+    options::whole(text, 0..=u32::MAX)
 }

@@ -28,6 +28,7 @@ use crate::report::files::NAMES as FLIGHT_FILES;
 use apart::Written;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use schuler_simulator::input::InputError;
+use schuler_simulator::input::name::path_of;
 use schuler_simulator::scene::{self, Scene, builtin};
 use std::path::{Path, PathBuf};
 
@@ -95,6 +96,7 @@ pub enum Command {
 )]
 pub struct RunArgs {
     /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
+    #[arg(value_parser = options::name())]
     pub scene: Option<String>,
     /// Folder for summary.json, drift.csv, drift.png and report.html [default: out/ and the name of the scene]
     #[arg(long, value_name = "DIR")]
@@ -131,7 +133,7 @@ pub struct RunArgs {
 impl RunArgs {
     /// What is written of it.
     pub fn wanted(&self) -> Wanted {
-        Wanted { every: self.every, report: !self.no_report, rows: self.rows }
+        Wanted { every: self.every, report: !self.no_report, rows: self.rows, run: self.number }
     }
 
     /// The scene, with every option applied.
@@ -147,7 +149,7 @@ impl RunArgs {
 
     /// The folder of the files.
     pub fn folder(&self, scene: &Scene) -> PathBuf {
-        self.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name))
+        self.out.clone().unwrap_or_else(|| PathBuf::from("out").join(path_of(&scene.name)))
     }
 
     /// No messages are written over the scene, nor over another file of the run.
@@ -173,7 +175,7 @@ impl RunArgs {
 pub struct FrontierArgs {
     /// A built-in scene or the path of a TOML file, whose motion is flown with perfect sensors; may be repeated
     /// [default: paper-perfect, hard, manoeuvre, vibration, coning, stationary]
-    #[arg(long, value_name = "SCENE")]
+    #[arg(long, value_name = "SCENE", value_parser = options::name())]
     pub scene: Vec<String>,
     /// Samples per second; may be repeated [default: of 5 to 1000, those that suit the scene]
     #[arg(long, value_name = "HZ", allow_negative_numbers = true, value_parser = options::rate_hz)]
@@ -181,7 +183,7 @@ pub struct FrontierArgs {
     /// Fly shorter scenes and repeat less
     #[arg(long)]
     pub quick: bool,
-    /// Folder for frontier.csv and frontier.png [default: out/frontier]
+    /// Folder for frontier.csv, frontier.png and frontier.html [default: out/frontier]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
@@ -198,7 +200,7 @@ pub struct StressArgs {
     /// Only the cases with this in their name
     #[arg(long, value_name = "NAME")]
     pub case: Option<String>,
-    /// Folder for stress.csv
+    /// Folder for stress.csv and stress.html
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

@@ -1,12 +1,17 @@
 //! Options that several commands share, with the limits of a scene's own keys.
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError, Range};
 use schuler_simulator::navigator;
 use schuler_simulator::scene::{
     Algorithm, Axes, Gap, Navigator, Precision, Scene, Vertical, WindowShape, limits,
 };
+use std::fmt;
+use std::ops::RangeInclusive;
+use std::path::Path;
+use std::str::FromStr;
 
 /// What a scene's own values may be replaced by.
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
@@ -112,6 +117,11 @@ impl NavigatorOptions {
     }
 }
 
+/// A built-in name or a path, which need not be Unicode.
+pub(super) fn name() -> impl TypedValueParser<Value = String> {
+    OsStringValueParser::new().map(|text| name_of(Path::new(&text)))
+}
+
 /// One of some names.
 pub(super) fn named<T: Copy + Send + Sync + 'static>(
     names: &'static [(&'static str, T)],
@@ -133,8 +143,18 @@ pub(super) fn seed(text: &str) -> Result<u64, Complaint> {
     text.parse().map_err(|_| Complaint::new("is not a seed", accepted))
 }
 
+/// A whole number of something, with its range in the words of a refusal.
+pub(super) fn whole<T: FromStr + PartialOrd + fmt::Display>(
+    text: &str,
+    range: RangeInclusive<T>,
+) -> Result<T, Complaint> {
+    let accepted = format!("an integer from {} to {}", range.start(), range.end());
+    let number = text.parse().ok().filter(|number| range.contains(number));
+    number.ok_or_else(|| Complaint::new("is none that is taken", accepted))
+}
+
 /// Runs of an ensemble: enough for a spread, and few enough for what is kept of them to stay in memory.
-const RUNS: std::ops::RangeInclusive<u64> = 4..=10_000_000;
+const RUNS: RangeInclusive<u64> = 4..=10_000_000;
 
 /// How many runs to fly.
 pub fn runs(text: &str) -> Result<u64, Complaint> {

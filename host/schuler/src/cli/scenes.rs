@@ -24,6 +24,7 @@ pub struct ScenesArgs {
 #[command(after_help = "Example:\n  schuler trajectory circuit --out circuit.kml")]
 pub struct TrajectoryArgs {
     /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
+    #[arg(value_parser = options::name())]
     pub scene: Option<String>,
     /// The file to write: .csv (columns of nav.csv), .kml, .gpx, .geojson or .mcap (ROS 2 messages)
     #[arg(long, value_name = "FILE")]

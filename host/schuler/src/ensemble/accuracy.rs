@@ -3,9 +3,7 @@
 use super::circular::{Plane, bound};
 use super::order::{Ordered, Quantile};
 use super::values::Values;
-
-/// A nautical mile, m.
-const NAUTICAL_MILE: f64 = 1852.0;
+use crate::report::traces::NAUTICAL_MILE;
 
 /// A figure of the runs, and the same of theory's normal distribution.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,12 +1,14 @@
 //! The charts of an ensemble: from its findings to axes, bands and curves.
 
-use super::circular::{Axes, Plane};
 use super::figures::{Measures, shares_of};
 use super::findings::Findings;
 use super::sentences::chi_square_interval;
 use schuler_report::axis::Axis;
 use schuler_report::canvas::{Ink, Stroke};
 use schuler_report::chart::{Band, Chart, Curve};
+use schuler_report::ellipse::outline;
+use schuler_report::interactive::{Interactive, Scale, Width};
+use schuler_report::layer::{Kind, Layer};
 use schuler_simulator::ensemble::budget::Contribution;
 use schuler_simulator::number::{Quantity, Unit};
 
@@ -19,6 +21,9 @@ const QUANTITIES: [(&str, Quantity); 3] = [
 ];
 const RUNS: Stroke = Stroke::solid(1.8);
 const THEORY: Stroke = Stroke { width: 1.4, dashed: true };
+/// What is drawn beside circular and vertical errors.
+const INTERVALS: [&str; 3] = ["CEP50, interval", "CEP95, interval", "vertical, interval"];
+const THEORIES: [&str; 3] = ["CEP50, theory", "CEP95, theory", "vertical, theory"];
 /// Dots of a scatter, at most.
 const MOST_DOTS: usize = 2000;
 /// Bars of a histogram: at least, at most.
@@ -26,64 +31,38 @@ const BARS: [f64; 2] = [8.0, 48.0];
 /// Points of a smooth line.
 const SMOOTH: usize = 96;
 
-/// Where the runs end, east and north of the truth, with the ellipses of 50 % and 95 %: the runs' own and theory's.
-/// The dots, and how many runs each stands for.
-pub fn scatter(findings: &Findings) -> Option<(Chart, Vec<[f64; 2]>, usize)> {
+/// Where the runs end, east and north of the truth, with the ellipses of 50 % and 95 %: the runs' own and theory's; and
+/// how many runs a dot stands for.
+pub fn scatter(findings: &Findings) -> Option<(Interactive, usize)> {
     let (values, at) = (findings.end.as_ref()?, findings.instants.last()?);
     let each = values.numbers.len().div_ceil(MOST_DOTS).max(1);
     let largest = values.numbers.iter().map(|x| x[0].hypot(x[1])).fold(0.0, f64::max);
-    let Unit { name, factor } = Quantity::Position.unit(largest);
-    let dots = values.numbers.iter().step_by(each);
-    let dots: Vec<[f64; 2]> = dots.map(|x| [x[1] * factor, x[0] * factor]).collect();
-    let plane = |mean: [f64; 2], matrix: &super::spread::Matrix| Plane {
-        mean,
-        covariance: [[matrix[0][0], matrix[0][1]], [matrix[1][0], matrix[1][1]]],
-    };
+    let Unit { name: unit, factor } = Quantity::Position.unit(largest);
+    let place = |[north, east]: [f64; 2]| [east * factor, north * factor];
+    let dots = values.numbers.iter().step_by(each).map(|x| place([x[0], x[1]]));
+    let kind = Kind::Dots { radius: 1.6, ring: false, opacity: 0.55 };
+    let dots = Layer { kind, ..Layer::line("runs", Ink::Muted, dots) };
+    let title = format!("Where runs end: north, {unit}");
+    let (east, north) = (Scale::new("east", unit), Scale::new("north", unit));
+    let mut chart = Interactive::new(&title, east, north).with(dots);
+    (chart.is_map, chart.height) = (true, 400);
+    let square = |matrix: &super::spread::Matrix| [0, 1].map(|i| [0, 1].map(|j| matrix[i][j]));
     let spread = &at.spread;
-    let own = plane([spread.mean[0], spread.mean[1]], &spread.covariance);
+    let own = ([spread.mean[0], spread.mean[1]], square(&spread.covariance));
     let end = findings.comparisons.len().saturating_sub(9);
     let expected = findings.comparisons.get(end..).unwrap_or_default();
     let mean = [0, 1].map(|i| expected.get(i).map_or(f64::NAN, |c| c.mean_theory));
-    let theory = plane(mean, &at.covariance_theory);
-    let mut curves = Vec::new();
-    for (name, plane, ink, stroke) in [
-        ("50 % of the runs", &own, Ink::North, RUNS),
-        ("95 % of the runs", &own, Ink::North, RUNS),
-        ("50 % by theory", &theory, Ink::East, THEORY),
-        ("95 % by theory", &theory, Ink::East, THEORY),
-    ] {
-        if plane.mean[0].is_nan() {
-            continue;
+    let theory = (mean, square(&at.covariance_theory));
+    for (percent, share) in [(50, 0.5), (95, 0.95)] {
+        let ellipse = |(mean, covariance)| outline(mean, covariance, share).map(place);
+        let name = format!("{percent} % of the runs");
+        chart = chart.with(Layer::line(&name, Ink::North, ellipse(own)));
+        if mean[0].is_finite() {
+            let name = format!("{percent} % by theory");
+            chart = chart.with(Layer::dashes(&name, Ink::East, ellipse(theory)));
         }
-        let share = if name.starts_with("50") { 0.5 } else { 0.95 };
-        let points = ellipse(plane, share).map(|[north, east]| [east * factor, north * factor]);
-        curves.push(Curve { name, ink, stroke, points: points.collect() });
     }
-    let all = || dots.iter().chain(curves.iter().flat_map(|curve| &curve.points));
-    let chart = Chart {
-        title: format!("Where runs end, north, {name}"),
-        x: Axis::spanning(&format!("east, {name}"), all().map(|p| p[0]), true),
-        y: Axis::spanning("", all().map(|p| p[1]), true),
-        is_map: true,
-        bands: Vec::new(),
-        curves,
-        marks: Vec::new(),
-    };
-    Some((chart, dots, each))
-}
-
-/// The ellipse about the mean that holds a share of a normal distribution in the plane.
-fn ellipse(plane: &Plane, share: f64) -> impl Iterator<Item = [f64; 2]> {
-    // P(χ²₂ ≤ k²) = 1 − e^{−k²/2}
-    let k = (-2.0 * (1.0 - share).ln()).sqrt();
-    let Axes { sigma: [major, minor], direction } = plane.axes();
-    let (sin, cos) = direction.sin_cos();
-    let [north, east] = plane.mean;
-    (0..=SMOOTH).map(move |i| {
-        let (s, c) = (i as f64 / SMOOTH as f64 * std::f64::consts::TAU).sin_cos();
-        let (a, b) = (k * major * c, k * minor * s);
-        [north + a * cos - b * sin, east + a * sin + b * cos]
-    })
+    Some((chart, each))
 }
 
 /// CEP50, CEP95 and the vertical error of 95 % over time, with their intervals; theory dashed.
@@ -107,10 +86,10 @@ pub fn accuracy(findings: &Findings) -> Chart {
             let [low, high] = figures(i)[place].runs.interval?;
             Some([t, high * factor, low * factor])
         });
-        bands.push(Band { name: "", ink, opacity: 0.16, edges: edges.collect() });
+        bands.push(Band { name: INTERVALS[place], ink, opacity: 0.16, edges: edges.collect() });
         let theory = times().map(|(i, t)| [t, figures(i)[place].theory * factor]);
         let theory: Vec<_> = theory.filter(|point| point[1].is_finite()).collect();
-        curves.push(Curve { name: "", ink, stroke: THEORY, points: theory });
+        curves.push(Curve { name: THEORIES[place], ink, stroke: THEORY, points: theory });
         let runs = times().map(|(i, t)| [t, figures(i)[place].runs.value * factor]);
         curves.push(Curve { name, ink, stroke: RUNS, points: runs.collect() });
     }
@@ -119,7 +98,7 @@ pub fn accuracy(findings: &Findings) -> Chart {
     Chart {
         title: format!("Error about the truth, {unit}"),
         x,
-        y: Axis::spanning("", values.chain(edges).chain([0.0]), false),
+        y: Axis::spanning(unit, values.chain(edges).chain([0.0]), false),
         is_map: false,
         bands,
         curves,
@@ -147,7 +126,7 @@ pub fn sigma(findings: &Findings) -> [[Chart; 3]; 3] {
             let (i, ink) = (3 * group + axis, INKS[axis]);
             let edges = own(i)
                 .map(|(t, sigma)| [t * per_second, sigma * upper * factor, sigma * lower * factor]);
-            let band = Band { name: "", ink, opacity: 0.2, edges: edges.collect() };
+            let band = Band { name: "interval", ink, opacity: 0.2, edges: edges.collect() };
             let curve = |name, ink, stroke, points: Vec<(f64, f64)>| Curve {
                 name,
                 ink,
@@ -163,7 +142,7 @@ pub fn sigma(findings: &Findings) -> [[Chart; 3]; 3] {
             Chart {
                 title: format!("{} {quantity}, σ, {unit}", DIRECTIONS[axis]),
                 x: x.clone(),
-                y: Axis::spanning("", values.into_iter().chain([0.0]), false),
+                y: Axis::spanning(unit, values.into_iter().chain([0.0]), false),
                 is_map: false,
                 bands: vec![band],
                 curves,
@@ -218,7 +197,7 @@ pub fn histograms(findings: &Findings) -> Option<[[Chart; 3]; 3]> {
                 y: Axis::spanning("", heights.chain([0.0]), false),
                 x: Axis::spanning(unit, [least * factor, greatest * factor], true),
                 is_map: false,
-                bands: vec![Band { name: "", ink: INKS[axis], opacity: 0.4, edges }],
+                bands: vec![Band { name: "runs", ink: INKS[axis], opacity: 0.4, edges }],
                 curves: vec![Curve { name: "theory", ink: Ink::Text, stroke: THEORY, points }],
                 marks: Vec::new(),
             }
@@ -233,7 +212,7 @@ pub fn paint(term: usize) -> (Ink, f32) {
 
 /// Each term's share of the mean square of the horizontal error over time, stacked: by theory, or by switching terms
 /// off. The terms are in the order of `names`.
-pub fn stack(findings: &Findings, names: &[&str], by_runs: bool) -> Option<Chart> {
+pub fn stack(findings: &Findings, names: &[&str], by_runs: bool) -> Option<Interactive> {
     let (x, per_second) = Axis::time(findings.instants.last()?.time_s);
     let of = |name: &&str| findings.budget.iter().find(|share| share.name == **name);
     let terms: Vec<&[Contribution]> = names
@@ -261,13 +240,21 @@ pub fn stack(findings: &Findings, names: &[&str], by_runs: bool) -> Option<Chart
     }
     let is_known = bands.last()?.edges.iter().any(|edge| edge[1] > 0.0);
     let by = if by_runs { "by switching off" } else { "by theory" };
-    is_known.then(|| Chart {
-        title: format!("Shares of the horizontal error, %, {by}"),
-        x,
-        y: Axis { label: String::new(), from: 0.0, to: 100.0 },
-        is_map: false,
-        bands,
-        curves: Vec::new(),
-        marks: Vec::new(),
+    is_known.then(|| {
+        let chart = Chart {
+            title: format!("Shares of the horizontal error, %, {by}"),
+            x,
+            y: Axis { label: "%".to_owned(), from: 0.0, to: 100.0 },
+            is_map: false,
+            bands,
+            curves: Vec::new(),
+            marks: Vec::new(),
+        };
+        let mut chart = Interactive::of(chart).sharing("time").sized(Width::Half, 320);
+        chart.y.range = Some([0.0, 100.0]);
+        for (layer, name) in chart.layers.iter_mut().zip(names) {
+            layer.name = (*name).to_owned();
+        }
+        chart
     })
 }

@@ -4,8 +4,9 @@ use super::files::Files;
 use super::findings::Findings;
 use super::sentences::sentences;
 use super::summary::Outcome;
-use super::{figures, table};
+use super::{figures, summary, table};
 use crate::cli::EnsembleArgs;
+use crate::report::files::tell_replaced_by;
 use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::ensemble::kept::Kept;
@@ -34,9 +35,13 @@ pub struct Conclusion<'a> {
 }
 
 impl Conclusion<'_> {
-    /// The files, not yet in their places.
+    /// The files, not yet in their places; says whose they will replace.
     pub fn files(&self) -> Result<Files, InputError> {
-        Files::create(&self.folder, self.keep)
+        let files = Files::create(&self.folder, self.keep)?;
+        let program = std::iter::once("schuler".to_owned());
+        let command: Vec<_> = program.chain(command(self.whole, self.keep, self.budget)).collect();
+        tell_replaced_by(&self.folder, summary::NAME, &command);
+        Ok(files)
     }
 
     /// Finds out what there is to be found out, writes it, prints it with a `note` of how it was flown, and takes
@@ -49,10 +54,10 @@ impl Conclusion<'_> {
         served: &[PathBuf],
     ) -> Result<(), FlightError> {
         let Self { ground, whole, means, keep, budget, folder } = self;
+        let command = command(whole, keep, budget);
         let (scene, runs) = (ground.scene, kept.runs.end);
         let findings = Findings::new(ground, &kept, budget, means)?;
         let sentences = sentences(&findings);
-        let command = command(whole, keep, budget);
         let failed = kept.flown.failed.len();
         let outcome = Outcome {
             scene,
@@ -79,7 +84,7 @@ impl Conclusion<'_> {
     }
 }
 
-/// The command of the whole, with what was done beside flying it.
+/// The command of the whole, with what was done beside flying it: an argument each, after the program's name.
 pub fn command(whole: &EnsembleArgs, keep: bool, budget: Option<u64>) -> Vec<String> {
     let mut command = whole.whole();
     if keep {

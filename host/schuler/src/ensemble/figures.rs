@@ -102,7 +102,7 @@ pub fn budget(findings: &Findings) -> String {
     text += if flown { ",\n\"runs\" by switching it off in runs\n" } else { "\n" };
     let line = |name: &str, cells: [&str; 5]| {
         let [theory, runs, share, down, heading] = cells;
-        format!("{name:<33}{theory:>9} {runs:>9} {share:>7} {down:>9} {heading:>9}\n")
+        format!("{name:<32}{theory:>10} {runs:>9} {share:>7} {down:>9} {heading:>9}\n")
     };
     text += &line("", ["horizontal", "runs", "share", "down", "heading"]);
     text += &line("", ["m", "m", "%", "m", "arcsec"]);

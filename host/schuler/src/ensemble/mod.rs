@@ -15,8 +15,10 @@
 //! | [`table`], [`figures`], [`csv`], [`summary`], [`files`] | how it is told |
 //! | [`page`], [`charts`] | the page, and its charts |
 //! | [`pace`] | what navigation costs |
+//! | `aided` | aided runs: their errors beside what their filters say |
 
 pub mod accuracy;
+mod aided;
 pub mod charts;
 mod check;
 pub mod circular;
@@ -48,6 +50,7 @@ use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::ensemble::instants;
 use schuler_simulator::ensemble::part::header::Header;
+use schuler_simulator::input::name::path_of;
 use schuler_simulator::lanes::Registers;
 use schuler_simulator::number::{rounded, short};
 use schuler_simulator::output::say;
@@ -68,6 +71,9 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let source = Source::new(&scene, false)?;
     let ground = Ground::new(&scene, &source);
     let stops = stops(&ground, &args.at);
+    if scene.aiding.is_there() {
+        return aided::ensemble(args, &scene, &source, &stops, &folder);
+    }
     let Shard(shard) = args.shard.unwrap_or(Shard([1, 1]));
     let header = Header::new(&ground, args.whole(), args.runs, shard, &stops);
     let path = flying::part(&folder, args.shard);
@@ -102,7 +108,7 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
 
 /// Where the files go.
 fn folder(out: Option<&Path>, scene: &Scene) -> PathBuf {
-    out.map_or_else(|| PathBuf::from("out").join(&scene.name), Path::to_owned)
+    out.map_or_else(|| PathBuf::from("out").join(path_of(&scene.name)), Path::to_owned)
 }
 
 /// How many samples are taken at each reading.

@@ -6,17 +6,13 @@ use super::{charts, figures};
 use crate::report::{figures as drawing, head};
 use schuler_report::axis::printed;
 use schuler_report::chart::Chart;
+use schuler_report::interactive::{Interactive, Width};
 use schuler_report::page::{self, panel};
 use schuler_report::svg::escape;
 use schuler_simulator::number::{Quantity, parameter, rounded, short};
 
 /// The file's name.
 pub const NAME: &str = "ensemble.html";
-
-/// Width and height of a chart in a column of three, of one that takes two, and of a map.
-const CHART: (f32, f32) = (400.0, 250.0);
-const WIDE: (f32, f32) = (812.0, 400.0);
-const MAP: (f32, f32) = (400.0, 400.0);
 
 /// The page.
 pub fn page(outcome: &Outcome) -> String {
@@ -43,9 +39,7 @@ pub fn page(outcome: &Outcome) -> String {
 
 fn headline(outcome: &Outcome) -> String {
     let findings = outcome.findings;
-    let card = |value: String, what: &str| {
-        format!("<div class=\"card\"><b>{}</b><span>{what}</span></div>\n", printed(&value))
-    };
+    let card = |value: String, what: &str| (printed(&value), what.to_owned());
     let sentences: String = outcome
         .sentences
         .iter()
@@ -61,25 +55,25 @@ fn headline(outcome: &Outcome) -> String {
     let tests = findings.verdict.tests + findings.together.tests;
     let failed = findings.verdict.failed + findings.together.failed;
     let verdict = match failed {
-        0 => format!("0 of {tests}"),
-        failed => format!("{failed} of {tests}"),
+        0 => format!("The runs scatter as theory says: {tests} tests, none fails"),
+        failed => format!("The runs do not scatter as theory says: {failed} of {tests} tests fail"),
     };
     let cards = [
         card(show(&it.cep50), "CEP50 at the end: half of the runs are within"),
         card(show(&it.cep95), "CEP95 at the end"),
         card(show(&it.vertical95), "vertical, 95 %"),
         card(format!("{} nmi/h", rounded(it.nmi_h(it.cep50.runs.value), 3)), "CEP50 over time"),
-        card(verdict, "tests against theory fail"),
     ];
-    format!("<div class=\"cards\">\n{}</div>\n{sentences}", cards.concat())
+    page::verdict(failed == 0, &verdict) + &page::cards(&cards) + &sentences
 }
 
 fn about_the_truth(outcome: &Outcome) -> String {
     let findings = outcome.findings;
-    let Some((map, dots, each)) = charts::scatter(findings) else { return String::new() };
+    let Some((map, each)) = charts::scatter(findings) else { return String::new() };
     let each = if each > 1 { format!(" A dot is one run in {each}.") } else { String::new() };
-    let map = drawing::figure_with(map, &dots, MAP, "");
-    let time = drawing::figure(charts::accuracy(findings), WIDE, " class=\"wide\"");
+    let time = Interactive::of(charts::accuracy(findings))
+        .sharing("time")
+        .sized(Width::TwoThirds, map.height);
     let cell = |figure: &Figure| {
         let theory = if figure.theory.is_nan() { "–".to_owned() } else { short(figure.theory) };
         let interval = figure.runs.interval;
@@ -115,7 +109,8 @@ fn about_the_truth(outcome: &Outcome) -> String {
         "<h2>About the truth</h2>\n<p class=\"quiet\">Ellipses of 50 % and 95 %: of the runs drawn through, of theory \
          dashed. Over time: the circles that hold 50 % (blue) and 95 % (orange) of the runs and the height that 95 % keep \
          (green), with intervals of 95 %; theory dashed.{each}</p>\n\
-         <div class=\"charts\">\n{map}{time}</div>\n{}",
+         {}{}",
+        drawing::grid([map, time]),
         panel(&heads, &rows)
     )
 }
@@ -128,8 +123,7 @@ fn budget(outcome: &Outcome) -> String {
     }
     let names: Vec<&str> = rows.iter().map(|row| row.name).collect();
     let stacks = [false, true].map(|by_runs| charts::stack(findings, &names, by_runs));
-    let stacks: String =
-        stacks.into_iter().flatten().map(|chart| drawing::figure(chart, CHART, "")).collect();
+    let stacks = drawing::grid(stacks.into_iter().flatten());
     let horizontal: Vec<f64> = rows.iter().map(|row| row.best().horizontal).collect();
     let told =
         |x: Option<f64>| x.filter(|x| !x.is_nan()).map_or("–".to_owned(), |x| printed(&short(x)));
@@ -168,7 +162,8 @@ fn budget(outcome: &Outcome) -> String {
     format!(
         "<h2>What the error is made of</h2>\n<p class=\"quiet\">Root mean square of each term alone at the end, by \
          theory. Shares are of the sum of squares; fixed errors may also cancel one another. {note}</p>\n\
-         <div class=\"charts\">\n{stacks}</div>\n<div class=\"panel\"><table>\n<tr>{heads}</tr>\n{body}</table></div>\n"
+         {stacks}{}",
+        page::framed(&format!("<table>\n<tr>{heads}</tr>\n{body}</table>"))
     )
 }
 
@@ -179,7 +174,7 @@ fn spread(outcome: &Outcome) -> String {
     format!(
         "<h2>Standard deviation over time</h2>\n<p class=\"quiet\">Of the runs, drawn through, with its interval of \
          95 %; theory dashed.</p>\n{}",
-        nine(charts::sigma(outcome.findings))
+        nine(charts::sigma(outcome.findings), Some("time"))
     )
 }
 
@@ -187,13 +182,16 @@ fn histograms(outcome: &Outcome) -> String {
     let charts = charts::histograms(outcome.findings);
     let note = "Of the runs, and theory’s normal density where it can be tested, dashed.";
     charts.map_or(String::new(), |charts| {
-        format!("<h2>Distribution at the end</h2>\n<p class=\"quiet\">{note}</p>\n{}", nine(charts))
+        format!(
+            "<h2>Distribution at the end</h2>\n<p class=\"quiet\">{note}</p>\n{}",
+            nine(charts, None)
+        )
     })
 }
 
-fn nine(charts: [[Chart; 3]; 3]) -> String {
-    let figures = charts.into_iter().flatten().map(|chart| drawing::figure(chart, CHART, ""));
-    format!("<div class=\"charts\">\n{}</div>\n", figures.collect::<String>())
+fn nine(charts: [[Chart; 3]; 3], cursor: Option<&'static str>) -> String {
+    let charts = charts.into_iter().flatten();
+    drawing::grid(charts.map(|chart| Interactive { cursor, ..Interactive::of(chart) }))
 }
 
 fn provenance(outcome: &Outcome) -> String {

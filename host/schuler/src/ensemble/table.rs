@@ -6,7 +6,7 @@ use schuler_simulator::flight::Nine;
 use schuler_simulator::number::{parameter, rounded, short};
 
 /// Characters of a line.
-const WIDTH: usize = 111;
+const WIDTH: usize = 80;
 /// What each of a comparison's tests is about.
 const TESTED: [&str; 2] = ["mean", "standard deviation"];
 
@@ -58,33 +58,28 @@ pub fn failures(failed: &[Failure], seed: u64, runs: u64, time_s: impl Fn(u64) -
 fn at_end(end: &[Comparison]) -> String {
     let time_s = end.first().map_or(0.0, |c| c.time_s);
     let mut text = format!(
-        "{:<22}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n{}\n",
+        "{:<21} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}\n{:59}{:>20}\n{}\n",
         format!("at {} s", parameter(time_s)),
         "mean",
         "theory",
         "std dev",
         "theory",
-        "χ² of mean",
-        "of std dev",
-        "p of both",
+        "p",
+        "p",
+        "",
+        "mean   std dev",
         "─".repeat(WIDTH)
     );
     for c in end {
-        let tests = c.tests.map(|tests| tests.map(|t: Test| short(t.chi_square)));
+        let tests = c.tests.map(|tests| tests.map(|t: Test| rounded(t.probability, 2)));
         let [mean, sigma] = tests.unwrap_or(["–", "–"].map(str::to_owned));
-        let both = c.tests.map_or("–".to_owned(), |[m, s]| {
-            format!("{} {}", rounded(m.probability, 2), rounded(s.probability, 2))
-        });
         text += &format!(
-            "{:<22}{:>12} {:>12} {:>12} {:>12}   {:>10} {:>12} {:>10}\n",
+            "{:<21} {:>9} {:>9} {:>9} {:>9} {mean:>8} {sigma:>8}\n",
             Nine::NAMES[c.component],
             short(c.mean),
             told(c.mean_theory),
             short(c.sigma),
             told(c.sigma_theory),
-            mean,
-            sigma,
-            both
         );
     }
     text
@@ -95,11 +90,6 @@ fn told(value: f64) -> String {
     if value.is_nan() { "–".to_owned() } else { short(value) }
 }
 
-/// A component's name for a narrow column: its unit says what it is.
-fn short_name(name: &str) -> &str {
-    name.trim_start_matches("attitude_")
-}
-
 /// A row per instant, a column per component.
 fn every_instant(
     title: &str,
@@ -107,18 +97,19 @@ fn every_instant(
     value: impl Fn(&Comparison) -> f64,
     chance: &str,
 ) -> String {
-    let mut text = format!("{title} ({chance})\n{:>9} ", "s");
-    let names = Nine::NAMES.map(short_name);
-    let widths = names.map(|name| (name.len() + 1).max(10));
-    text += &names.iter().zip(widths).map(|(name, w)| format!("{name:>w$}")).collect::<String>();
-    text += &format!("\n{}\n", "─".repeat(WIDTH));
+    let groups =
+        ["position, m", "velocity, m/s", "attitude, ″"].map(|group| format!("{group:>24}"));
+    let names = ["north", "east", "down"].map(|name| format!("{name:>8}")).concat().repeat(3);
+    let line = "─".repeat(WIDTH);
+    let mut text =
+        format!("{title} ({chance})\n{:7}{}\n{:>7}{names}\n{line}\n", "", groups.concat(), "s");
     for instant in instants {
         let Some(first) = instant.first() else { continue };
-        text += &format!("{:>9} ", parameter(first.time_s));
-        for (c, w) in instant.iter().zip(widths) {
+        text += &format!("{:>7}", parameter(first.time_s));
+        for c in *instant {
             let cell =
                 if c.tests.is_some() { format!("{:.2}", value(c)) } else { "–".to_owned() };
-            text += &format!("{cell:>w$}");
+            text += &format!("{cell:>8}");
         }
         text.push('\n');
     }

@@ -11,6 +11,7 @@ pub mod csv;
 pub mod front;
 pub mod measure;
 pub mod pace;
+pub mod page;
 pub mod plot;
 #[cfg(test)]
 mod sample;
@@ -82,13 +83,14 @@ pub struct LeftOut {
     pub why: String,
 }
 
-/// Measures, writes `frontier.csv` and `frontier.png`, prints the table.
+/// Measures, writes `frontier.csv`, `frontier.png` and `frontier.html`, prints the table.
 pub fn frontier(args: &FrontierArgs) -> Result<(), FlightError> {
     let tasks = task::tasks(args)?;
     let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join("frontier"));
     // What cannot be written is found before the long work, not after it.
     let table_file = OutputFile::create(directory.join("frontier.csv"))?;
     let picture_file = OutputFile::create(directory.join("frontier.png"))?;
+    let page_file = OutputFile::create(directory.join(page::NAME))?;
     let cases = Case::all();
     let passes = if args.quick { QUICK_PASSES } else { PASSES };
     let timed = |task: &task::Task| -> u64 {
@@ -116,6 +118,7 @@ pub fn frontier(args: &FrontierArgs) -> Result<(), FlightError> {
     picture_file.fill(plot::png(&points).map_err(|error| cannot_be_drawn(&directory, &error))?)?;
     let mut text = table::table(&points);
     text += &table::left_out(&tasks, &cases, &left_out);
+    page_file.fill(page::page(&points, &text))?;
     text += &format!("\nwritten to {}\n", directory.display());
     say(&text)?;
     Ok(())

@@ -100,7 +100,9 @@ fn panel(canvas: &mut impl Canvas, scene: &[&Point], inner: Frame) {
     let ideal: Vec<f32> = front.iter().map(|point| y(point.max_position_m)).collect();
     let levels = spread(&ideal, inner.top, bottom, LINE);
     for (point, &level) in front.iter().zip(&levels) {
-        let elbow = [at(point), [right + 6.0, level], [NAMES_LEFT - 5.0, level]];
+        // Level as far as the margin, where all go to their names in the same order: no two cross.
+        let [left, own] = at(point);
+        let elbow = [[left, own], [right + 4.0, own], [NAMES_LEFT - 5.0, level]];
         canvas.line("", &elbow, Ink::Muted, Stroke::solid(0.6));
         let name = [NAMES_LEFT, level + 4.0];
         canvas.text(name, &point.name(), Ink::Text, lettering(Anchor::Start));

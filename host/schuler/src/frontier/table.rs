@@ -8,7 +8,7 @@ use schuler_simulator::number::{Quantity, parameter, rounded};
 /// Powers of ten that errors are sorted by, m: a picometre is below every rounding.
 const DECADES: std::ops::RangeInclusive<i32> = -12..=7;
 /// Characters of a line.
-const WIDTH: usize = 108;
+const WIDTH: usize = 80;
 
 /// Points scene by scene, in the order in which scenes first occur.
 pub fn by_scene(points: &[Point]) -> Vec<Vec<&Point>> {
@@ -32,39 +32,31 @@ pub fn front_of<'a>(scene: &[&'a Point]) -> Vec<&'a Point> {
 /// What to pick in every scene: for this error, the cheapest is …
 pub fn table(points: &[Point]) -> String {
     let mut text = String::from(
-        "What to pick: for this position error, the cheapest is … Time is that of navigation per second of flight\n\
-         (ns per sample × samples per second), at block ends with no row read; errors are the largest over every\n\
-         row, with perfect sensors. Where the sensor's rate is given, --rate holds it.\n",
+        "What to pick: for this position error, the cheapest is … Time is that of\n\
+         navigation per second of flight (ns per sample × samples per second), at block\n\
+         ends with no row read; errors are the largest over every row, with perfect\n\
+         sensors. Where the sensor's rate is given, --rate holds it.\n",
     );
     for scene in by_scene(points) {
         let Some(first) = scene.first() else { continue };
         text += &format!(
-            "\n{}, {} s\n{:>8}  {:<42} {:>15} {:>9}  {:>8} {:>9} {:>7}\n{}\n",
+            "\n{}, {} s\n{:>7}  {:<42} {:>9} {:>9} {:>8}\n{}\n",
             first.scene,
             parameter(first.duration_s),
             "within",
             "the cheapest is",
-            "ns per sample",
             "per s",
             "position",
-            "velocity",
             "attitude",
             "─".repeat(WIDTH)
         );
         for (bound, point) in picks(&scene) {
-            let time = format!(
-                "{} ± {}",
-                rounded(point.ns_per_sample, 3),
-                rounded(0.5 * point.ns_spread, 2)
-            );
             text += &format!(
-                "{:>8}  {:<42} {:>15} {:>9}  {:>8} {:>9} {:>7}\n",
+                "{:>7}  {:<42} {:>9} {:>9} {:>8}\n",
                 error(Quantity::Position, bound, 1),
                 point.name(),
-                time,
                 format!("{} µs", rounded(point.cost_us_per_s(), 3)),
                 error(Quantity::Position, point.max_position_m, 2),
-                error(Quantity::Velocity, point.max_velocity_m_s, 2),
                 error(Quantity::Attitude, point.max_attitude_arcsec, 2),
             );
         }
@@ -154,23 +146,23 @@ mod tests {
             (
                 picks[0],
                 "1 m  taylor 0,4,0 local-level f32 10 Hz ",
-                [" 40.0 ± 0.2 ", " 0.40 µs ", " 120 mm ", " 1.2 mm/s ", " 1.2 ″"],
+                [" 0.40 µs ", " 120 mm ", " 1.2 ″"],
             ),
             (
                 picks[1],
                 "10 nm  taylor 0,4,0 earth-fixed f64 20 Hz ",
-                [" 60.0 ± 0.2 ", " 1.20 µs ", " 8.0 nm ", " 80 pm/s ", " 80 nas"],
+                [" 1.20 µs ", " 8.0 nm ", " 80 nas"],
             ),
             (
                 lines[fast + 3],
                 "10000 m  taylor 2,4,2 earth-fixed f64-plain 1000 Hz ",
-                [" 100 ± 0.2 ", " 100 µs ", " 1500 m ", " 15 m/s ", " 15000 ″"],
+                [" 100 µs ", " 1500 m ", " 4.2 °"],
             ),
         ] {
             assert!(line.trim_start().starts_with(begin), "{line}");
             assert!(parts.iter().all(|part| line.contains(part)), "{line}: {parts:?}");
         }
-        assert!(lines.iter().all(|line| line.chars().count() <= 120), "{text}");
+        assert!(lines.iter().all(|line| line.chars().count() <= 80), "{text}");
     }
 
     #[test]

@@ -61,7 +61,8 @@ pub fn tasks(args: &FrontierArgs) -> Result<Vec<Task>, FlightError> {
 fn task(name: &str, args: &FrontierArgs) -> Result<Task, FlightError> {
     let mut scene = scene::load(name)?;
     (scene.gyro, scene.accelerometer) = Default::default();
-    (scene.initial_error, scene.alignment, scene.link) = Default::default();
+    (scene.initial_error, scene.link) = Default::default();
+    (scene.aiding, scene.alignment) = Default::default();
     let mut rates_hz = args.rate.clone();
     let mut too_coarse_hz = Vec::new();
     if rates_hz.is_empty() {

@@ -91,6 +91,11 @@ impl Conversation {
         Self { channel: wrap(self.channel), ..self }
     }
 
+    /// Faults put in so far, and requests sent again.
+    pub fn happened(&self) -> [u64; 2] {
+        [self.channel.injected().map_or(0, |injected| injected.total()), self.tally.resent]
+    }
+
     /// What happened so far.
     pub fn tally(&self) -> Tally {
         let mut tally = self.tally.clone();

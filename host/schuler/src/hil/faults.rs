@@ -120,6 +120,11 @@ impl Injected {
         counts[fault as usize] += 1;
     }
 
+    /// How many in all.
+    pub fn total(&self) -> u64 {
+        self.to_target.iter().chain(&self.to_host).sum()
+    }
+
     /// How many in frames to the target.
     pub fn to_target(&self, fault: Fault) -> u64 {
         self.to_target[fault as usize]

@@ -8,6 +8,7 @@ use super::pace::Pace;
 use super::parted::{MOST_REBOOTS, Parted};
 use super::reply::Reply;
 use super::tally::Tally;
+use crate::report::lockstep::Event;
 use schuler::link::bytes::Bytes;
 use schuler::link::gap::MOST_BRIDGED;
 use schuler::link::gap::Policy;
@@ -29,6 +30,10 @@ pub struct Ended {
     pub tally: Tally,
     /// How long each sample's answer took, s.
     pub latencies_s: Vec<f64>,
+    /// Samples during which something happened on the link.
+    pub events: Vec<Event>,
+    /// Why target and twin part, if they do.
+    pub parted: Option<String>,
     /// The window that was planned, where the target does not have it.
     pub planned_window: Option<WindowShape>,
 }
@@ -162,7 +167,10 @@ impl Lockstep {
         self.samples += 1;
         let (number, increment) = (self.samples, self.twin.narrow(sample));
         let asked = self.pace.as_ref().map(|pace| pace.wait(number));
-        let reply = self.ask(&Request::Sample { number, increment: Bytes(&increment) })?;
+        let before = self.conversation.happened();
+        let reply = self.ask(&Request::Sample { number, increment: Bytes(&increment) });
+        self.note(before);
+        let reply = reply?;
         if let Some(asked) = asked {
             self.ended(|ended| ended.latencies_s.push(asked.elapsed().as_secs_f64()));
         }
@@ -187,6 +195,16 @@ impl Lockstep {
                 }
                 Ok(Ok(()))
             }
+        }
+    }
+
+    /// Notes what has happened on the link during a sample.
+    fn note(&self, before: [u64; 2]) {
+        let after = self.conversation.happened();
+        if after != before {
+            let [faults, sent_again] = [0, 1].map(|i| after[i] - before[i]);
+            let time_s = f64::from(self.samples) / self.rate_hz;
+            self.ended(|ended| ended.events.push(Event { time_s, faults, sent_again }));
         }
     }
 
@@ -234,7 +252,9 @@ impl Lockstep {
                 format!("sample {} at {} s: ", self.samples, f64::from(self.samples) / self.rate_hz)
             }
         };
-        Refused::Stopped(Complaint::new(format!("{place}{parted}"), ""))
+        let why = format!("{place}{parted}");
+        self.ended(|ended| ended.parted = Some(why.clone()));
+        Refused::Stopped(Complaint::new(why, ""))
     }
 }
 

@@ -24,6 +24,7 @@ pub mod wait;
 pub mod wire;
 
 use crate::cli::HilArgs;
+use crate::report::lockstep::{Latency, latency};
 use crate::report::{self, FlightFiles, link_table};
 use channel::Channel;
 use conversation::{Conversation, Outcome};
@@ -38,6 +39,7 @@ use schuler::link::message::VERSION;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
 use schuler_simulator::flight::{Flight, LinkReport};
+use schuler_simulator::input::name::path_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator;
 use schuler_simulator::output::say;
@@ -71,7 +73,9 @@ pub struct Manner {
 /// files of `run`.
 pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
-    let directory = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name));
+    let directory =
+        args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(path_of(&scene.name)));
+    report::files::tell_replaced(&directory);
     let log = Log::default();
     let (flight, end) = fly_to_files(args, &scene, &directory, &log).inspect_err(|_| {
         if let Some(note) = report::files::of_earlier(&directory) {
@@ -79,7 +83,8 @@ pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
         }
     })?;
     let latencies_s = log.lock().unwrap_or_else(PoisonError::into_inner).latencies_s.clone();
-    say(&text(&flight, &latencies_s, &directory.display().to_string()))?;
+    let latency = latency(&latencies_s, flight.scene.rate_hz);
+    say(&text(&flight, latency.as_ref(), &directory.display().to_string()))?;
     end.and_then(|()| check(&flight))
 }
 
@@ -90,7 +95,7 @@ fn fly_to_files(
     directory: &Path,
     log: &Log,
 ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
-    let channel = args.device.open(&args.image)?;
+    let channel = args.device.open(args.image()?)?;
     let device = args.device.to_string();
     let met = meet(channel, &args.manner(), &device)?;
     let progress = Progress::new(scene.samples());
@@ -100,13 +105,18 @@ fn fly_to_files(
             progress.reach(sample)
         });
     progress.finish();
-    let Ended { tally, planned_window, .. } =
+    let Ended { tally, planned_window, latencies_s, events, parted } =
         log.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let link = LinkReport { planned_window, ..tally.report(device) };
     match flown {
         Ok((flight, end)) => {
             let flight = Flight { link: Some(link), ..flight };
-            files.finish(&flight, Vec::new())?;
+            let latency = latency(&latencies_s, scene.rate_hz);
+            let ended = flight.ended.as_ref().map(|ended| ended.reason.clone());
+            let end_s = flight.last.time_s;
+            let lockstep =
+                report::Lockstep::new(parted.or(ended), &flight.digest, latency, &events, end_s);
+            files.finish(&flight, Vec::new(), Some(lockstep))?;
             Ok((flight, end))
         }
         Err(error) => {
@@ -118,7 +128,7 @@ fn fly_to_files(
     }
 }
 
-fn text(flight: &Flight, latencies_s: &[f64], directory: &str) -> String {
+fn text(flight: &Flight, latency: Option<&Latency>, directory: &str) -> String {
     let mut text = report::table(flight);
     if let Some(planned) = flight.link.as_ref().and_then(|link| link.planned_window)
         && let Some(flown) = flight.window
@@ -128,8 +138,8 @@ fn text(flight: &Flight, latencies_s: &[f64], directory: &str) -> String {
     if let Some(link) = &flight.link {
         text += &link_table::text(link);
     }
-    if !latencies_s.is_empty() {
-        text += &pace::latencies(latencies_s, flight.scene.rate_hz);
+    if let Some(latency) = latency {
+        text += &latency.text();
     }
     if flight.ended.is_none() {
         text += &format!("Target and twin agree in every bit: digest {}.\n", flight.digest);

@@ -6,6 +6,8 @@ use super::places::{Places, REPORT};
 use super::summary::About;
 use super::{page, summary};
 use crate::report::files::drawn;
+use crate::report::sensors::Sensors;
+use crate::report::traces::Traces;
 use schuler_simulator::flight::{Instant, Nine};
 use schuler_simulator::input::InputError;
 use schuler_simulator::output::{NumberTable, OutputFile};
@@ -50,11 +52,12 @@ impl ReportFiles {
         flight: &Flight,
         comparison: &Comparison,
         about: &About,
+        shown: (&Traces, &Sensors),
     ) -> Result<Vec<OutputFile>, InputError> {
         let Self { drift, mut picture, mut page, mut summary, .. } = self;
         let png = drawn(&picture, page::png(flight, comparison, about))?;
         picture.put(png)?;
-        page.put(page::page(flight, comparison, about))?;
+        page.put(page::page(flight, comparison, about, shown))?;
         summary.put(summary::json(flight, comparison, about, &REPORT))?;
         Ok(vec![drift.into_file(), picture, page, summary])
     }

@@ -4,6 +4,7 @@ use crate::cli::ReplayArgs;
 use schuler::earth::Geodetic;
 use schuler::math::vector::Vector;
 use schuler::solution::Euler;
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError, read_text};
 use schuler_simulator::output::say;
 use schuler_simulator::recording::navigation::NavigationRow;
@@ -27,7 +28,7 @@ pub fn initial(
     let Some(path) = &args.initial else {
         return Ok((recording.initial.ok_or_else(missing)?, args.clone()));
     };
-    let file = path.display().to_string();
+    let file = name_of(path);
     let text = read_text(&file)?;
     if !Track::is_one(&text) {
         return Ok((NavigationRow::parse(&file, &text)?, args.clone()));

@@ -16,6 +16,8 @@ mod summary;
 mod table;
 
 use crate::cli::{Height, ReplayArgs};
+use crate::report::sensors::Sensors;
+use crate::report::traces::Traces;
 use comparison::Has;
 use files::ReportFiles;
 use fly::Orders;
@@ -23,6 +25,7 @@ use places::Places;
 use schuler::flight::plan;
 use schuler::solution::Solution;
 use schuler_simulator::flight::Instant;
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::number::parameter;
 use schuler_simulator::output::{self, OutputFile, say};
@@ -30,6 +33,7 @@ use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::NavigationRow;
 use schuler_simulator::recording::reference::Reference;
 use schuler_simulator::recording::rows::Recording;
+use schuler_simulator::recording::samples::Samples;
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::scene::{Algorithm, Navigator, Vertical, WindowShape};
 use schuler_simulator::simulate::FlightError;
@@ -38,11 +42,11 @@ use summary::About;
 /// Navigates a recording and writes `nav.csv`, a row per sample or fewer. Prints what its stamps say, what
 /// was aligned to, and where the vehicle ends up.
 ///
-/// The recording is gone through twice, once to look and once to navigate, and never held in memory; the rows
-/// are, where there is a reference to compare them with.
+/// The recording is gone through twice, once to look and once to navigate (once more for a report's page), and never
+/// held in memory; the rows are, where there is a reference to compare them with.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
-    let recording = Recording::open_as(&args.imu.display().to_string(), &args.given())?;
+    let recording = Recording::open_as(&name_of(&args.imu), &args.given())?;
     let Replayed { text, files, .. } = fly(args, &recording, false)?;
     output::place(files, &[])?;
     let places = Places::new(&args.out, args.reference.is_some());
@@ -78,10 +82,8 @@ pub fn fly(args: &ReplayArgs, recording: &Recording, keep: bool) -> Result<Repla
     args.navigator.apply(&mut options)?;
     args.handling.apply(&mut options);
     options.vertical = args.vertical();
-    let reference = args
-        .reference
-        .as_ref()
-        .map(|file| Reference::open(&file.display().to_string(), recording.scale));
+    let reference =
+        args.reference.as_ref().map(|file| Reference::open(&name_of(file), recording.scale));
     let reference = reference.transpose()?;
     let (initial, args) = &initial::initial(args, recording)?;
 
@@ -106,31 +108,53 @@ pub fn fly(args: &ReplayArgs, recording: &Recording, keep: bool) -> Result<Repla
     let places = Places::new(&args.out, reference.is_some());
     let has =
         reference.as_ref().map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
-    let mut files = has.map(|has| ReportFiles::create(&places, has)).transpose()?.flatten();
+    let files = has.map(|has| ReportFiles::create(&places, has));
+    let mut files = files.transpose()?.flatten();
     let orders = Orders { args, options, shape, heights, nav: &places.nav, keep };
     let mut flight = fly::fly(recording, &survey, &spans, initial, &orders)?;
     let mut text = report::text(&flight, &spans, args.align.is_some());
     let (mut filled, mut report) = (Vec::new(), None);
     if let (Some(reference), Some(track)) = (&reference, flight.track.take()) {
-        let mut row = |instant: &Instant| files.as_mut().map_or(Ok(()), |files| files.row(instant));
+        let mut traces = Traces::default();
+        let mut row = |instant: &Instant| {
+            traces.row(&Instant { time_s: instant.time_s - spans.navigate_s, ..*instant });
+            files.as_mut().map_or(Ok(()), |files| files.row(instant))
+        };
         let comparison = comparison::compare(&track, reference, args.lag, &mut row)?;
         let (imu, rate_hz) = (recording.name.as_str(), 1.0 / survey.clock.interval_s());
         let about = About { imu, rate_hz, options: &orders.options, shape, spans: &spans };
         text += &table::table(&comparison);
-        report = keep.then(|| {
-            [
-                summary::json(&flight, &comparison, &about, &[]),
-                page::page(&flight, &comparison, &about),
-            ]
-        });
-        if let Some(files) = files {
-            filled = files.fill(&flight, &comparison, &about)?;
+        if keep || files.is_some() {
+            let sensors = read(recording, &survey, [spans.navigate_s, flight.last.0])?;
+            let shown = (&traces, &sensors);
+            report = keep.then(|| {
+                let summary = summary::json(&flight, &comparison, &about, &[]);
+                [summary, page::page(&flight, &comparison, &about, shown)]
+            });
+            let files = files.map(|files| files.fill(&flight, &comparison, &about, shown));
+            filled = files.transpose()?.unwrap_or_default();
         }
     }
     let window = (orders.options.algorithm == Algorithm::Taylor).then_some(shape);
     let start = (spans.navigate_s, flight.start);
     let files = flight.nav.into_iter().chain(filled).collect();
     Ok(Replayed { text, start, digest: flight.digest, window, rows: flight.rows, report, files })
+}
+
+/// What the sensors put out from one time to another, s: the recording read once more.
+fn read(
+    recording: &Recording,
+    survey: &Survey,
+    [from_s, to_s]: [f64; 2],
+) -> Result<Sensors, FlightError> {
+    let mut samples = Samples::new(recording, survey, None)?;
+    let mut sensors = Sensors::default();
+    while let Some(sample) = samples.advance()? {
+        if sample.end_s > from_s && sample.end_s <= to_s && !sample.filled {
+            sensors.row(sample.end_s - from_s, &sample.increment, sample.interval_s);
+        }
+    }
+    Ok(sensors)
 }
 
 /// The height that the vertical is held to, where it is; it must be known all along, s.
@@ -148,7 +172,7 @@ fn heights(
         None => (Heights::constant(own_m), "the altitude of the start".to_owned()),
         Some(Height::Metres(metres)) => (Heights::constant(*metres), format!("{metres} m")),
         Some(Height::File(file)) => {
-            let name = file.display().to_string();
+            let name = name_of(file);
             let heights = Heights::read(&name)?;
             // Half a second beyond the ends is no more than a sample.
             if let Some([first_s, last_s]) = heights.span_s()

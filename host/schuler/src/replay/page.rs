@@ -4,13 +4,15 @@ use super::comparison::Comparison;
 use super::fly::Flight;
 use super::summary::About;
 use super::table;
+use crate::report::sensors::Sensors;
 use crate::report::table::{rows_of, unit_note};
+use crate::report::traces::{NAUTICAL_MILE, Traces};
 use crate::report::{figures, head, norm, plot};
 use schuler_report::axis::printed;
 use schuler_report::page::{self, panel};
 use schuler_report::svg::escape;
 use schuler_simulator::flight::Instant;
-use schuler_simulator::number::{Quantity, parameter};
+use schuler_simulator::number::{Quantity, parameter, rounded};
 use schuler_simulator::scene::Algorithm;
 use std::io;
 
@@ -49,36 +51,54 @@ pub fn png(flight: &Flight, comparison: &Comparison, about: &About) -> io::Resul
     plot::sheet(&title(about), &heading(about, flight), &charted(comparison, about))
 }
 
-/// The page.
-pub fn page(flight: &Flight, comparison: &Comparison, about: &About) -> String {
+/// The page. Traces and sensors are over the time from the start of the flight.
+pub fn page(
+    flight: &Flight,
+    comparison: &Comparison,
+    about: &About,
+    (traces, sensors): (&Traces, &Sensors),
+) -> String {
     let title = escape(&title(about));
     let charted = charted(comparison, about);
     let since = parameter(about.spans.navigate_s);
+    let end_s = charted.last().map_or(0.0, |instant| instant.time_s);
+    let end = figures::end(&comparison.last, None);
+    let euler = match figures::euler(traces, end_s) {
+        charts if charts.is_empty() => charts,
+        charts => format!("<h2>Errors of roll, pitch and yaw</h2>\n{charts}"),
+    };
     let body = format!(
-        "<h1>{title}</h1>\n<p class=\"quiet\">{}</p>\n{}\
+        "<h1>{title}</h1>\n<p class=\"quiet\">{} · <code>{}</code></p>\n{}\
+         <h2>Horizontal error</h2>\n{}\
          <h2>Drift: computed minus reference</h2>\n\
          <p class=\"quiet\">Over the time since {since} s of the recording. Attitude errors are rotations about \
-         north, east and down.</p>\n{}\
-         <h2>The reference’s motion</h2>\n{}{}{}",
+         north, east and down. Drag to zoom, shift-drag to move, double-click to see the whole; a click on a name \
+         hides it.</p>\n{}{euler}\
+         <h2>The reference’s motion</h2>\n{}{}{}{}",
         escape(&heading(about, flight)),
-        headline(comparison),
-        figures::errors(&charted),
-        figures::motion(&charted),
+        escape(&head::command_line()),
+        headline(comparison, about),
+        figures::horizontal(traces, end_s, Some(end)),
+        figures::errors(&charted, traces, "time"),
+        figures::motion(&charted, traces),
+        figures::sensors(sensors, end_s),
         numbers(comparison),
         provenance(flight, comparison, about),
     );
     page::page(&format!("{title}: drift from its reference"), &body)
 }
 
-fn headline(comparison: &Comparison) -> String {
+fn headline(comparison: &Comparison, about: &About) -> String {
     let Comparison { last, max, has, .. } = comparison;
-    let card = |value: String, what: &str| {
-        format!("<div class=\"card\"><b>{}</b><span>{what}</span></div>\n", printed(&value))
-    };
+    let card = |value: String, what: &str| (printed(&value), what.to_owned());
+    let [north, east, _] = last.drift.position_m;
+    let flown_s = last.time_s - about.spans.navigate_s;
+    let per_hour = north.hypot(east) / NAUTICAL_MILE / (flown_s / 3600.0);
     let position = |metres: f64| Quantity::Position.show(metres);
     let mut cards = vec![
         card(position(norm(last.drift.position_m)), "position error at the end"),
         card(position(max.norms[0]), "largest position error"),
+        card(format!("{} nmi/h", rounded(per_hour, 3)), "horizontal error over the time flown"),
     ];
     if has.velocity {
         let error = Quantity::Velocity.show(norm(last.drift.velocity_m_s));
@@ -90,7 +110,7 @@ fn headline(comparison: &Comparison) -> String {
     }
     let lines = [table::compared(comparison), table::lag(comparison)];
     let lines = lines.map(|line| format!("<p>{}</p>\n", escape(&line)));
-    format!("<div class=\"cards\">\n{}</div>\n{}", cards.concat(), lines.concat())
+    page::cards(&cards) + &lines.concat()
 }
 
 /// The terminal's table.

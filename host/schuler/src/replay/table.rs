@@ -7,7 +7,7 @@ use schuler_simulator::flight::Instant;
 use schuler_simulator::number::{Quantity, parameter};
 
 /// Characters of a column.
-const WIDTH: usize = 16;
+const WIDTH: usize = 10;
 
 /// The columns of which something is known.
 pub fn columns(comparison: &Comparison) -> Vec<Column> {
@@ -20,19 +20,21 @@ pub fn columns(comparison: &Comparison) -> Vec<Column> {
 /// Errors at a dozen times, what was compared, and what it came to.
 pub fn table(comparison: &Comparison) -> String {
     let columns = columns(comparison);
-    let (mut heads, mut line) = (format!("{:>12} ", "time s"), "─".repeat(13));
+    let [mut heads, mut units] = ["time", "s"].map(|text| format!("{text:>12} "));
+    let mut line = "─".repeat(13);
     for column in &columns {
         let bars = if column.is_norm { "|" } else { "" };
-        let head = format!("{bars}{}{bars} {}", column.name, column.unit.name);
-        heads += &format!("│ {head:^WIDTH$} ");
+        let name = format!("{bars}{}{bars}", column.name);
+        heads += &format!("│ {name:^WIDTH$} ");
+        units += &format!("│ {:^WIDTH$} ", column.unit.name);
         line += &format!("┼{}", "─".repeat(WIDTH + 2));
     }
-    let mut lines = vec![compared(comparison), lag(comparison), heads, line];
+    let mut lines = vec![compared(comparison), lag(comparison), heads, units, line];
     for instant in rows_of(&comparison.overview, &comparison.last) {
         let mut line = format!("{:>12} ", time(instant));
         for column in &columns {
             let [error, ..] = column.cells(instant);
-            line += &format!("│ {error:>w$}      ", w = WIDTH - 5);
+            line += &format!("│ {error:>w$}  ", w = WIDTH - 1);
         }
         lines.push(line);
     }

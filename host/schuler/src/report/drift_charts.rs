@@ -5,7 +5,7 @@ use schuler_report::axis::Axis;
 use schuler_report::canvas::{Anchor, Canvas, Ink, Lettering, Point, Stroke};
 use schuler_report::chart::{Band, Chart, Curve};
 use schuler_simulator::flight::{Instant, Nine};
-use schuler_simulator::number::Quantity;
+use schuler_simulator::number::{Quantity, Unit};
 
 const AXES: [(&str, Ink); 3] = [("North", Ink::North), ("East", Ink::East), ("Down", Ink::Down)];
 const GROUPS: [(&str, Quantity); 3] = [
@@ -16,7 +16,7 @@ const GROUPS: [(&str, Quantity); 3] = [
 const ERROR: Stroke = Stroke::solid(1.6);
 const MEAN: Stroke = Stroke { width: 1.2, dashed: true };
 /// The bands' names, widths in σ and opacities, the widest first.
-const BANDS: [(&str, f64, f32); 2] = [("+3σ", 3.0, 0.11), ("+1σ", 1.0, 0.2)];
+const BANDS: [(&str, f64, f32); 2] = [("±3σ", 3.0, 0.11), ("±1σ", 1.0, 0.2)];
 
 /// A row per group (position, velocity, attitude), a column per axis (north, east, down).
 pub fn errors(instants: &[Instant]) -> [[Chart; 3]; 3] {
@@ -24,22 +24,12 @@ pub fn errors(instants: &[Instant]) -> [[Chart; 3]; 3] {
 }
 
 fn error_row(instants: &[Instant], group: usize) -> [Chart; 3] {
-    let part = |nine: &Nine, axis: usize| match group {
-        0 => nine.position_m[axis],
-        1 => nine.velocity_m_s[axis],
-        _ => nine.attitude_arcsec[axis],
-    };
-    let (name, quantity) = GROUPS[group];
-    // What a chart has to have room for: the error and the widest band.
-    let extent = |axis: usize| {
-        instants.iter().flat_map(move |i| {
-            let (mean, reach) = (part(&i.mean, axis), BANDS[0].1 * part(&i.sigma, axis));
-            [part(&i.drift, axis), mean - reach, mean + reach]
-        })
-    };
-    let unit = quantity.unit(largest((0..3).flat_map(extent)));
+    let part = |nine: &Nine, axis: usize| part(nine, group, axis);
+    let name = GROUPS[group].0;
+    let extent = |axis: usize| extent(instants, group, axis);
+    let unit = unit(instants, group);
     let spans: [Axis; 3] = std::array::from_fn(|axis| {
-        Axis::spanning("", extent(axis).map(|value| value * unit.factor), true)
+        Axis::spanning(unit.name, extent(axis).map(|value| value * unit.factor), true)
     });
     let spans = alike(spans);
     let (time, per_second) = Axis::time(super::end_s(instants));
@@ -81,6 +71,27 @@ fn error_row(instants: &[Instant], group: usize) -> [Chart; 3] {
             marks: Vec::new(),
         }
     })
+}
+
+fn part(nine: &Nine, group: usize, axis: usize) -> f64 {
+    match group {
+        0 => nine.position_m[axis],
+        1 => nine.velocity_m_s[axis],
+        _ => nine.attitude_arcsec[axis],
+    }
+}
+
+/// What a chart has to have room for: the error and the widest band.
+fn extent(instants: &[Instant], group: usize, axis: usize) -> impl Iterator<Item = f64> {
+    instants.iter().flat_map(move |i| {
+        let (mean, reach) = (part(&i.mean, group, axis), BANDS[0].1 * part(&i.sigma, group, axis));
+        [part(&i.drift, group, axis), mean - reach, mean + reach]
+    })
+}
+
+/// The unit of a group.
+pub fn unit(instants: &[Instant], group: usize) -> Unit {
+    GROUPS[group].1.unit(largest((0..3).flat_map(|axis| extent(instants, group, axis))))
 }
 
 /// One range for a row, so that its charts can be compared, unless it flattens one of them.

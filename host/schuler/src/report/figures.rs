@@ -1,78 +1,158 @@
 //! Charts as parts of an HTML page.
 
+use super::sensors::Sensors;
+use super::traces::{ATTITUDE, EULER, FLOWN_S, HEIGHT, HORIZONTAL, RATE, Traces};
 use super::{drift_charts, motion_charts};
-use schuler_report::chart::Chart;
-use schuler_report::grid::Frame;
-use schuler_report::scatter;
-use schuler_report::svg::{Svg, escape};
+use schuler_report::axis::Axis;
+use schuler_report::canvas::Ink;
+use schuler_report::ellipse::outline;
+use schuler_report::interactive::{Interactive, Scale, Width};
+use schuler_report::layer::{Kind, Layer};
 use schuler_simulator::flight::Instant;
+use schuler_simulator::number::{Quantity, Unit};
 
-/// Width and height of a chart in a column of three.
-const CHART: (f32, f32) = (400.0, 250.0);
-/// The same of the ground track, and of the height beside it, which takes two columns.
-const MAP: (f32, f32) = (400.0, 320.0);
-const WIDE: (f32, f32) = (812.0, 320.0);
+const INKS: [Ink; 3] = [Ink::North, Ink::East, Ink::Down];
+const ANGLES: [&str; 3] = ["Roll", "Pitch", "Yaw"];
+/// Points of a curve that theory draws, about: it is smooth.
+const SMOOTH: usize = 300;
 
-/// Errors in three rows of three, with their legend.
-pub fn errors(instants: &[Instant]) -> String {
-    let charts = drift_charts::known(drift_charts::errors(instants));
-    let has_bands = charts.iter().flatten().any(|chart| !chart.bands.is_empty());
-    let has_mean = charts.iter().flatten().any(drift_charts::has_mean);
-    let figures: String =
-        charts.into_iter().flatten().map(|chart| figure(chart, CHART, "")).collect();
-    let figures = format!("<div class=\"charts\">\n{figures}</div>\n");
-    if !has_mean {
-        return figures;
-    }
-    let mut legend = Svg::default();
-    drift_charts::legend(&mut legend, [2.0, 11.0], has_bands);
-    let legend = legend.finish(420.0, 22.0, "role=\"img\" aria-label=\"legend\"");
-    format!("<div class=\"legend\">{legend}</div>\n{figures}")
+/// Charts in rows of three.
+pub fn grid(charts: impl IntoIterator<Item = Interactive>) -> String {
+    let figures: String = charts.into_iter().map(|chart| chart.html()).collect();
+    if figures.is_empty() { figures } else { format!("<div class=\"charts\">\n{figures}</div>\n") }
 }
 
-/// Ground track and height, and the attitude below them.
-pub fn motion(instants: &[Instant]) -> String {
-    let track = figure(motion_charts::ground_track(instants), MAP, "");
-    let height = figure(motion_charts::height(instants), WIDE, " class=\"wide\"");
-    let is_known = instants.iter().any(|instant| instant.attitude_deg[0].is_finite());
-    let attitude = motion_charts::attitude(instants).map(|chart| figure(chart, CHART, ""));
-    let attitude = if is_known { attitude.concat() } else { String::new() };
-    format!("<div class=\"charts\">\n{track}{height}{attitude}</div>\n")
+/// The scale of time up to an end, s, and how many of its units make a second.
+pub fn time(end_s: f64) -> (Scale, f64) {
+    let (axis, per_second) = Axis::time(end_s);
+    (Scale::new("time", axis.label.trim_start_matches("time, ")), per_second)
 }
 
-/// A chart of a size, in an element of a class.
-pub fn figure(chart: Chart, size: (f32, f32), class: &str) -> String {
-    figure_with(chart, &[], size, class)
+/// Errors in rows of three, each on a scale of its own; charts of the same cursor move together.
+pub fn errors(instants: &[Instant], traces: &Traces, cursor: &'static str) -> String {
+    let smooth = thinned(instants);
+    let per_second = time(super::end_s(instants)).1;
+    let rows = drift_charts::errors(&smooth).into_iter().enumerate();
+    let charts = rows.flat_map(|(group, row)| {
+        let unit = drift_charts::unit(&smooth, group);
+        row.into_iter().enumerate().map(move |(axis, chart)| (3 * group + axis, unit, chart))
+    });
+    grid(charts.filter(|(series, ..)| traces.all.is_known(*series)).map(
+        |(series, unit, mut chart)| {
+            chart.curves.retain(|curve| curve.name != "error");
+            let layer = trace(traces, series, "error", INKS[series % 3], (per_second, unit.factor));
+            Interactive::of(chart).with(layer).sharing(cursor)
+        },
+    ))
 }
 
-/// The same with dots under its curves.
-pub fn figure_with(
-    chart: Chart,
-    dots: &[[f64; 2]],
-    (width, height): (f32, f32),
-    class: &str,
-) -> String {
-    let frame = Frame { left: 0.0, top: 0.0, width, height };
-    let chart = chart.fitted(frame);
-    let inner = chart.inner(frame);
-    let mut svg = Svg::default();
-    match dots {
-        [] => chart.draw(&mut svg, frame),
-        dots => scatter::draw(&chart, dots, &mut svg, frame),
-    }
-    let attributes = format!(
-        "role=\"img\" aria-label=\"{}\" data-box=\"{} {} {} {}\" data-range=\"{} {} {} {}\" data-x=\"{}\"{}",
-        escape(&chart.title),
-        inner.left,
-        inner.top,
-        inner.width,
-        inner.height,
-        chart.x.from,
-        chart.x.to,
-        chart.y.from,
-        chart.y.to,
-        escape(&chart.x.label),
-        if chart.is_map { " data-map" } else { "" }
+/// Some of the instants, the last included.
+fn thinned(instants: &[Instant]) -> Vec<Instant> {
+    let each = instants.len().div_ceil(SMOOTH).max(1);
+    let last = instants.len().saturating_sub(1);
+    let kept = instants.iter().enumerate().filter(|(i, _)| i % each == 0 || *i == last);
+    kept.map(|(_, instant)| *instant).collect()
+}
+
+fn trace(traces: &Traces, series: usize, name: &str, ink: Ink, factors: (f64, f64)) -> Layer {
+    let (per_second, factor) = factors;
+    let edges = traces.all.edges(series);
+    let points = edges.map(|[t, high, low]| [t * per_second, high * factor, low * factor]);
+    Layer::new(name, ink, Kind::Envelope, points.collect())
+}
+
+/// A chart of one series, in the unit that suits it.
+fn single(
+    traces: &Traces,
+    series: usize,
+    title: &str,
+    unit: Unit,
+    ink: Ink,
+    time: &(Scale, f64),
+) -> Interactive {
+    Interactive::new(&format!("{title}, {}", unit.name), time.0.clone(), Scale::new("", unit.name))
+        .with(trace(traces, series, title, ink, (time.1, unit.factor)))
+        .sharing("time")
+}
+
+/// The horizontal error, in metres and in nautical miles an hour, and theory's ellipse about its end.
+pub fn horizontal(traces: &Traces, end_s: f64, end: Option<Interactive>) -> String {
+    let time = time(end_s);
+    let largest = traces.all.extremes(HORIZONTAL)[1];
+    let unit = Quantity::Position.unit(largest);
+    let mut distance = single(traces, HORIZONTAL, "Horizontal error", unit, Ink::North, &time);
+    distance.y.zero = true;
+    let per_hour = Unit { name: "nmi/h", factor: 1.0 };
+    let mut rate = single(traces, RATE, "Horizontal error over time", per_hour, Ink::East, &time);
+    rate.y.zero = true;
+    // At the first time that it means something it is one point.
+    let rate = (end_s >= 2.0 * FLOWN_S && traces.all.is_known(RATE)).then_some(rate);
+    grid([distance].into_iter().chain(rate).chain(end))
+}
+
+/// Where a flight ends, east and north of the truth, with the ellipses of 50 % and 95 % that theory expects.
+pub fn end(last: &Instant, covariance_m2: Option<[[f64; 2]; 2]>) -> Interactive {
+    let [north, east, _] = last.drift.position_m;
+    let theory =
+        covariance_m2.filter(|c| c.iter().flatten().all(|x| x.is_finite()) && c[0][0] > 0.0);
+    let [mean_north, mean_east, _] = last.mean.position_m;
+    let outlines = theory.map(|covariance| {
+        [0.95, 0.5].map(|share| outline([mean_north, mean_east], covariance, share).collect())
+    });
+    let outlines: Vec<Vec<[f64; 2]>> = outlines.into_iter().flatten().collect();
+    let all = outlines.iter().flatten().flatten().chain([&north, &east]);
+    let Unit { name, factor } = Quantity::Position.unit(super::largest(all.copied()));
+    let place = |&[north, east]: &[f64; 2]| [east * factor, north * factor];
+    let mut chart = Interactive::new(
+        &format!("The end about the truth: north, {name}"),
+        Scale::new("east", name),
+        Scale::new("north", name),
     );
-    format!("<figure{class}>{}</figure>\n", svg.finish(width, height, &attributes))
+    chart.is_map = true;
+    let names = ["95 % by theory", "50 % by theory"];
+    for (outline, name) in outlines.iter().zip(names) {
+        chart = chart.with(Layer::dashes(name, Ink::Text, outline.iter().map(place)));
+    }
+    let truth = Layer::dots("truth", Ink::Down, 4.0, [[0.0; 2]]);
+    let computed = Layer::dots("computed", Ink::East, 4.0, [place(&[north, east])]);
+    chart.with(truth).with(computed)
+}
+
+/// The errors of roll, pitch and yaw.
+pub fn euler(traces: &Traces, end_s: f64) -> String {
+    let time = time(end_s);
+    let known = (0..3).filter(|axis| traces.all.is_known(EULER + axis));
+    grid(known.map(|axis| {
+        let largest = super::largest(traces.all.extremes(EULER + axis));
+        let (title, unit) = (format!("{} error", ANGLES[axis]), Quantity::Attitude.unit(largest));
+        single(traces, EULER + axis, &title, unit, INKS[axis], &time)
+    }))
+}
+
+/// The tracks and the height, and the attitude below them.
+pub fn motion(instants: &[Instant], traces: &Traces) -> String {
+    let time = time(super::end_s(instants));
+    let track = Interactive::of(motion_charts::ground_track(instants));
+    let metres = Unit { name: "m", factor: 1.0 };
+    let degrees = Unit { name: "°", factor: 1.0 };
+    let title = "True height above the ellipsoid";
+    let height = single(traces, HEIGHT, title, metres, Ink::Down, &time)
+        .sized(Width::TwoThirds, track.height);
+    let known = (0..3).filter(|axis| traces.all.is_known(ATTITUDE + axis));
+    let attitude = known.map(|axis| {
+        let title = format!("True {}", ANGLES[axis].to_lowercase());
+        single(traces, ATTITUDE + axis, &title, degrees, INKS[axis], &time)
+    });
+    grid([track, height].into_iter().chain(attitude))
+}
+
+/// What the sensors put out, under a heading each for that and for their errors.
+pub fn sensors(sensors: &Sensors, end_s: f64) -> String {
+    let (scale, per_second) = time(end_s);
+    let [output, error] = sensors.charts((&scale, per_second));
+    let section = |heading: &str, charts: Vec<Interactive>| match charts.is_empty() {
+        true => String::new(),
+        false => format!("<h2>{heading}</h2>\n{}", grid(charts)),
+    };
+    section("What the sensors put out", output) + &section("Their errors as emulated", error)
 }

@@ -1,11 +1,15 @@
 //! The files of a flight: they get their names together when it has ended, with or without an error.
 
 use super::every::Every;
+use super::html::Shown;
 use super::rows::{self, RowFiles};
-use super::{DriftCsv, drift_csv, head, html, plot, summary};
+use super::sensors::Sensors;
+use super::traces::Traces;
+use super::{DriftCsv, Lockstep, drift_csv, head, html, plot, summary};
 use schuler_simulator::flight::{Flight, Instant};
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::{self, OutputFile};
+use schuler_simulator::theory::Theory;
 use std::path::{Path, PathBuf};
 
 /// Every file of a flight, written or not.
@@ -21,6 +25,8 @@ pub struct Wanted {
     pub report: bool,
     /// `nav.csv` and `truth.csv`.
     pub rows: bool,
+    /// The number of the run, whose sensors the page shows.
+    pub run: u64,
 }
 
 /// `summary.json`, `drift.csv`, `drift.png`, `report.html`, `nav.csv` and `truth.csv` of a flight under way.
@@ -30,10 +36,28 @@ pub struct FlightFiles {
     summary: OutputFile,
     /// The picture and the page, where they are wanted.
     pages: Option<[OutputFile; 2]>,
+    /// What the page shows of every row.
+    traces: Traces,
+    run: u64,
     /// The motion, where it is wanted.
     rows: Option<RowFiles>,
     /// Files of an earlier flight that this one has none to put in the place of.
     stale: Vec<PathBuf>,
+}
+
+/// Says, before a flight, that its files will take the place of those of another command.
+pub fn tell_replaced(folder: &Path) {
+    tell_replaced_by(folder, summary::NAME, &head::command());
+}
+
+/// The same of a command, an argument each, with a summary of a name.
+pub fn tell_replaced_by(folder: &Path, summary: &str, command: &[String]) {
+    if let Some(before) = head::command_of(&folder.join(summary))
+        && before != command
+    {
+        let (folder, before) = (folder.display(), head::shell(&before));
+        eprintln!("schuler: replaces in {folder} the files of `{before}`; --out keeps both");
+    }
 }
 
 /// That a flight which leaves no files has not touched those of an earlier one, if there are any.
@@ -45,7 +69,7 @@ pub fn of_earlier(folder: &Path) -> Option<String> {
 impl FlightFiles {
     /// To be in a folder. What cannot be written is found here, before the flight.
     pub fn create(folder: &Path, wanted: Wanted) -> Result<Self, InputError> {
-        let Wanted { every, report, rows } = wanted;
+        let Wanted { every, report, rows, run } = wanted;
         let drift = DriftCsv::create(&folder.join(drift_csv::NAME), every)?;
         let summary = OutputFile::create(folder.join(summary::NAME))?;
         let mut stale = Vec::new();
@@ -68,25 +92,37 @@ impl FlightFiles {
             );
             None
         };
-        Ok(Self { drift, summary, pages, rows, stale })
+        Ok(Self { drift, summary, pages, traces: Traces::default(), run, rows, stale })
     }
 
     /// Takes the next instant.
     pub fn row(&mut self, instant: &Instant) -> Result<(), InputError> {
         self.drift.row(instant)?;
+        if self.pages.is_some() {
+            self.traces.row(instant);
+        }
         self.rows.as_mut().map_or(Ok(()), |rows| rows.row(instant))
     }
 
     /// Writes what is known at the end, and puts all in their places, together with others.
-    pub fn finish(self, flight: &Flight, others: Vec<OutputFile>) -> Result<(), InputError> {
-        let Self { drift, mut summary, pages, rows, stale } = self;
+    pub fn finish(
+        self,
+        flight: &Flight,
+        others: Vec<OutputFile>,
+        lockstep: Option<Lockstep>,
+    ) -> Result<(), InputError> {
+        let Self { drift, mut summary, pages, traces, run, rows, stale } = self;
+        let json = |names: &[&str]| summary::json(flight, names, lockstep.as_ref());
         // The folder of the first is locked.
         let mut files = vec![drift.into_file()?];
         files.extend(others);
         let mut names = vec![drift_csv::NAME];
         if let Some([mut picture, mut page]) = pages {
             picture.put(drawn(&picture, plot::png(flight))?)?;
-            page.put(html::page(flight))?;
+            let sensors = Sensors::of(flight, run).ok();
+            let covariance_m2 = end_covariance(flight);
+            let lockstep = lockstep.clone();
+            page.put(html::page(flight, &Shown { traces, sensors, covariance_m2, lockstep }))?;
             files.extend([picture, page]);
             names.extend([plot::NAME, html::NAME]);
         }
@@ -96,10 +132,18 @@ impl FlightFiles {
         }
         // Last, so that whoever waits for it finds the others.
         names.push(summary::NAME);
-        summary.put(summary::json(flight, &names))?;
+        summary.put(json(&names))?;
         files.push(summary);
         output::place(files, &stale)
     }
+}
+
+/// The covariance of north and east that theory expects at the end, m²; none where that has ended.
+pub fn end_covariance(flight: &Flight) -> Option<[[f64; 2]; 2]> {
+    let is_known = flight.last.sigma.position_m.iter().all(|sigma| sigma.is_finite());
+    let theory = Theory::new(&flight.scene).ok().filter(|_| is_known);
+    let covariance = theory?.covariance(flight.last.time_s);
+    Some([0, 1].map(|i| [0, 1].map(|j| covariance[i][j])))
 }
 
 /// A picture, or why it could not be drawn.

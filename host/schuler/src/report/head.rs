@@ -25,9 +25,7 @@ pub struct Head<'a> {
 impl<'a> Head<'a> {
     /// Of what was done, and the files that were written of it.
     pub fn new(kind: &'a str, files: &'a [&'a str]) -> Self {
-        let arguments = std::env::args_os().skip(1);
-        let arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
-        Self::of_command(kind, files, &arguments.collect::<Vec<_>>())
+        Self::of_command(kind, files, &command()[1..])
     }
 
     /// The same of another command than the program's own: an argument each, after the program's name.
@@ -62,6 +60,31 @@ impl Navigated {
     }
 }
 
+/// The command line, an argument each.
+pub fn command() -> Vec<String> {
+    let arguments = std::env::args_os().skip(1);
+    let arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
+    std::iter::once("schuler".to_owned()).chain(arguments).collect()
+}
+
+/// The command line, as it may be given again to a POSIX shell.
+pub fn command_line() -> String {
+    shell(&command())
+}
+
+/// The same of any arguments.
+pub fn shell(arguments: &[String]) -> String {
+    arguments.iter().map(|argument| quoted(argument)).collect::<Vec<_>>().join(" ")
+}
+
+fn quoted(argument: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=@%+".contains(c);
+    match !argument.is_empty() && argument.chars().all(is_plain) {
+        true => argument.to_owned(),
+        false => format!("'{}'", argument.replace('\'', "'\\''")),
+    }
+}
+
 /// The program, libm and the machine, for people.
 pub fn versions() -> String {
     format!(
@@ -75,8 +98,33 @@ pub fn versions() -> String {
 
 /// The files that a summary in a folder says belong to it; none where there is no summary.
 pub fn files_of(summary: &Path) -> Vec<String> {
+    texts(&tree(summary)["files"])
+}
+
+/// The command line of a summary in a folder, an argument each; none where there is no summary.
+pub fn command_of(summary: &Path) -> Option<Vec<String>> {
+    let command = texts(&tree(summary)["command"]);
+    (!command.is_empty()).then_some(command)
+}
+
+fn tree(summary: &Path) -> serde_json::Value {
     let text = std::fs::read_to_string(summary).unwrap_or_default();
-    let tree: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
-    let files = tree["files"].as_array().into_iter().flatten();
-    files.filter_map(|name| name.as_str().map(str::to_owned)).collect()
+    serde_json::from_str(&text).unwrap_or_default()
+}
+
+fn texts(list: &serde_json::Value) -> Vec<String> {
+    let texts = list.as_array().into_iter().flatten();
+    texts.filter_map(|text| text.as_str().map(str::to_owned)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_line_can_be_given_again() {
+        let arguments = ["schuler", "run", "a b.toml", "it's", "", "--every=10s"];
+        let told = shell(&arguments.map(str::to_owned));
+        assert_eq!(told, "schuler run 'a b.toml' 'it'\\''s' '' --every=10s");
+    }
 }

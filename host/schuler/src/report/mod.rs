@@ -1,7 +1,9 @@
 //! The output of a finished run: the drift table, `summary.json`, `drift.csv`, `drift.png`
 //! and `report.html`.
 //!
-//! [`drift_charts`] and [`motion_charts`] say what is drawn; the crate `schuler_report` draws it.
+//! Every row goes through [`traces`] and [`drift_csv`]; [`sensors`] draws the samples once more. [`drift_charts`] and
+//! [`motion_charts`] say what is drawn of it on paper, [`figures`] what is drawn in the page, [`html`] what stands around it;
+//! the crate `schuler_report` draws it. [`lockstep`] is the part of a flight with a target.
 
 pub mod drift_charts;
 pub mod drift_csv;
@@ -11,6 +13,7 @@ pub mod files;
 pub mod head;
 pub mod html;
 pub mod link_table;
+pub mod lockstep;
 pub mod messages;
 pub mod motion_charts;
 pub mod parameters;
@@ -18,14 +21,18 @@ pub mod plot;
 pub mod rows;
 #[cfg(test)]
 mod sample;
+pub mod sensors;
 pub mod summary;
 pub mod table;
 pub mod thinned;
+pub mod traces;
+pub mod verdict;
 
 use schuler_simulator::flight::{Flight, Instant, Nine};
 
 pub use drift_csv::DriftCsv;
 pub use files::{FlightFiles, Wanted};
+pub use lockstep::Lockstep;
 pub use table::table;
 
 /// The time of the last instant, s; 0 of none.

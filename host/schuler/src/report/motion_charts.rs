@@ -1,6 +1,7 @@
-//! The charts of the true motion: ground track, height, attitude.
+//! The tracks on the ground: the true one and the computed one.
 
 use super::largest;
+use schuler::earth::Geodetic;
 use schuler_report::axis::Axis;
 use schuler_report::canvas::{Ink, Stroke};
 use schuler_report::chart::{Chart, Curve, Mark};
@@ -9,14 +10,26 @@ use schuler_simulator::flight::Instant;
 /// Of the sphere on which distances from the start are measured, km.
 const EARTH_RADIUS_KM: f64 = 6371.0;
 
-/// The ground track: east and north of the start along great circles, so that distance and
+/// A computed track is drawn over the true one.
+const COMPUTED: Stroke = Stroke { width: 1.4, dashed: true };
+
+/// The ground tracks: east and north of the start along great circles, so that distance and
 /// bearing from there are true anywhere on Earth.
 pub fn ground_track(instants: &[Instant]) -> Chart {
     let start = instants.first().map_or([0.0; 3], |instant| instant.position);
     let track: Vec<[f64; 2]> = instants.iter().map(|i| east_north_km(start, i.position)).collect();
     let far = largest(track.iter().flatten().copied());
     let (unit, per_km) = if far < 2.0 { ("m", 1000.0) } else { ("km", 1.0) };
-    let points: Vec<[f64; 2]> = track.iter().map(|point| point.map(|x| x * per_km)).collect();
+    let scaled = |track: &[[f64; 2]]| -> Vec<[f64; 2]> {
+        track.iter().map(|point| point.map(|x| x * per_km)).collect()
+    };
+    let points = scaled(&track);
+    let computed = instants.iter().map(|instant| {
+        let Geodetic { latitude, longitude, .. } = instant.computed.position;
+        let [latitude, longitude] = [latitude, longitude].map(|angle| angle.hi.to_degrees());
+        east_north_km(start, [latitude, longitude, 0.0])
+    });
+    let computed = scaled(&computed.collect::<Vec<_>>());
     let end = points.last().copied().unwrap_or_default();
     let mut marks = vec![Mark { name: format!("start {}", coordinates(start)), at: [0.0; 2] }];
     if let Some(last) = instants.last()
@@ -27,17 +40,20 @@ pub fn ground_track(instants: &[Instant]) -> Chart {
     let span = |label: &str, axis: usize| {
         Axis::spanning(
             &format!("{label} of the start, {unit}"),
-            points.iter().map(|p| p[axis]),
+            points.iter().chain(&computed).map(|p| p[axis]),
             true,
         )
     };
     Chart {
-        title: format!("Ground track: north of the start, {unit}"),
+        title: format!("Ground tracks: north of the start, {unit}"),
         x: span("east", 0),
         y: span("north", 1),
         is_map: true,
         bands: Vec::new(),
-        curves: vec![Curve { name: "track", ink: Ink::North, stroke: Stroke::solid(2.0), points }],
+        curves: vec![
+            Curve { name: "true", ink: Ink::North, stroke: Stroke::solid(2.4), points },
+            Curve { name: "computed", ink: Ink::East, stroke: COMPUTED, points: computed },
+        ],
         marks,
     }
 }
@@ -70,45 +86,6 @@ pub fn coordinates([latitude, longitude, _]: [f64; 3]) -> String {
         longitude.abs(),
         side(longitude, "E", "W")
     )
-}
-
-/// Altitude over time.
-pub fn height(instants: &[Instant]) -> Chart {
-    truth("Height above the ellipsoid, m", Ink::Down, instants, |i| i.position[2])
-}
-
-/// Roll, pitch and yaw over time, without the jumps of a full turn.
-pub fn attitude(instants: &[Instant]) -> [Chart; 3] {
-    let inks = [("Roll, °", Ink::North), ("Pitch, °", Ink::East), ("Yaw, °", Ink::Down)];
-    std::array::from_fn(|axis| {
-        let (title, ink) = inks[axis];
-        let (mut turns, mut before) = (0.0, None);
-        truth(title, ink, instants, move |i| {
-            let angle = i.attitude_deg[axis];
-            turns -= ((angle - before.unwrap_or(angle)) / 360.0).round();
-            before = Some(angle);
-            angle + 360.0 * turns
-        })
-    })
-}
-
-fn truth(
-    title: &str,
-    ink: Ink,
-    instants: &[Instant],
-    mut value: impl FnMut(&Instant) -> f64,
-) -> Chart {
-    let (x, per_second) = Axis::time(super::end_s(instants));
-    let points: Vec<_> = instants.iter().map(|i| [i.time_s * per_second, value(i)]).collect();
-    Chart {
-        title: title.to_owned(),
-        x,
-        y: Axis::spanning("", points.iter().map(|point| point[1]), true),
-        is_map: false,
-        bands: Vec::new(),
-        curves: vec![Curve { name: "truth", ink, stroke: Stroke::solid(1.6), points }],
-        marks: Vec::new(),
-    }
 }
 
 #[cfg(test)]
@@ -146,22 +123,5 @@ mod tests {
     fn places_have_their_side() {
         assert_eq!(coordinates([-33.5, 190.0, 0.0]), "33.500° S 170.000° W");
         assert_eq!(coordinates([60.0, 180.0 - 1e-9, 0.0]), "60.000° N 180.000° E");
-    }
-
-    #[test]
-    fn angles_run_through_full_turns() {
-        let instants: Vec<Instant> = (0..100)
-            .map(|k| {
-                let angle = f64::from(k) * 10.0;
-                let wrapped = (angle + 180.0).rem_euclid(360.0) - 180.0;
-                Instant {
-                    time_s: f64::from(k),
-                    attitude_deg: [wrapped, 0.0, 0.0],
-                    ..Default::default()
-                }
-            })
-            .collect();
-        let points = &attitude(&instants)[0].curves[0].points;
-        assert!(points.iter().enumerate().all(|(k, p)| (p[1] - k as f64 * 10.0).abs() < 1e-9));
     }
 }

@@ -87,6 +87,7 @@ pub fn scaled(scale: f64) -> Flight {
         },
         accelerometer: SensorErrors { gauss_markov: markov(100.0 * MICRO_G), ..Default::default() },
         initial_error: Default::default(),
+        aiding: Default::default(),
         alignment: None,
         navigator: Navigator::default(),
         link: Link::default(),
@@ -117,6 +118,8 @@ pub fn scaled(scale: f64) -> Flight {
         outside: None,
         lost: 0,
         link: None,
+        aligned: None,
+        aided: None,
         time: Some(StageTimes { trajectory_ns: 210.0, emulate_ns: 145.0, navigate_ns: 96.0 }),
     }
 }

@@ -1,7 +1,7 @@
 //! `summary.json`: a run in numbers, for programs.
 
 use super::head::{Head, Navigated};
-use super::{Nine, norm};
+use super::{Lockstep, Nine, norm};
 use schuler_simulator::flight::{Edges, Ended, Flight, LinkReport, Planned};
 use schuler_simulator::high::Neglected;
 use serde::Serialize;
@@ -35,6 +35,8 @@ struct Summary<'a> {
     time: Option<Time>,
     #[serde(skip_serializing_if = "Option::is_none")]
     link: Option<&'a LinkReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lockstep: Option<&'a Lockstep>,
 }
 
 #[derive(Serialize)]
@@ -89,7 +91,7 @@ impl Components {
 }
 
 impl<'a> Summary<'a> {
-    fn new(flight: &'a Flight, files: &'a [&'a str]) -> Self {
+    fn new(flight: &'a Flight, files: &'a [&'a str], lockstep: Option<&'a Lockstep>) -> Self {
         let scene = &flight.scene;
         Self {
             head: Head::new(if flight.link.is_some() { "hil" } else { "run" }, files),
@@ -122,6 +124,7 @@ impl<'a> Summary<'a> {
                 final_sigma: Components::with_norms(&flight.last.sigma),
             },
             link: flight.link.as_ref(),
+            lockstep,
             time: flight.time.map(|time| Time {
                 trajectory_ns_per_sample: time.trajectory_ns,
                 emulate_ns_per_sample: time.emulate_ns,
@@ -133,8 +136,8 @@ impl<'a> Summary<'a> {
 
 /// The summary as JSON, which names the files that belong together. Numbers round-trip; one that is not
 /// finite becomes `null`.
-pub fn json(flight: &Flight, files: &[&str]) -> String {
-    text(&Summary::new(flight, files))
+pub fn json(flight: &Flight, files: &[&str], lockstep: Option<&Lockstep>) -> String {
+    text(&Summary::new(flight, files, lockstep))
 }
 
 /// Any summary as JSON.
@@ -160,7 +163,7 @@ mod tests {
 
     #[test]
     fn has_every_key() {
-        let tree: Value = serde_json::from_str(&json(&sample::flight(), &[NAME])).unwrap();
+        let tree: Value = serde_json::from_str(&json(&sample::flight(), &[NAME], None)).unwrap();
         let plain = "schema_version kind version command files scene_sha256 vertical gap scene samples duration_s rate_hz seed precision frame algorithm window.history \
                      window.block window.lookahead edges.first.gyro edges.first.accelerometer \
                      edges.last.gyro edges.last.accelerometer skipped saturated lost digest \
@@ -181,7 +184,7 @@ mod tests {
     #[test]
     fn numbers_round_trip_and_norms_are_norms() {
         let flight = sample::flight();
-        let tree: Value = serde_json::from_str(&json(&flight, &[NAME])).unwrap();
+        let tree: Value = serde_json::from_str(&json(&flight, &[NAME], None)).unwrap();
         let number = |path| at(&tree, path).as_f64().unwrap();
         let last = &flight.last;
         assert_eq!(number("error.final.north_m").to_bits(), last.drift.position_m[0].to_bits());
@@ -200,7 +203,7 @@ mod tests {
     #[test]
     fn a_flight_that_ended_early_says_where_and_why() {
         let mut flight = sample::flight();
-        let whole: Value = serde_json::from_str(&json(&flight, &[NAME])).unwrap();
+        let whole: Value = serde_json::from_str(&json(&flight, &[NAME], None)).unwrap();
         assert_eq!(whole.get("ended"), None);
         let reason = "sample 36001 at 1800.05 s: it is lost".to_owned();
         flight.ended = Some(Ended {
@@ -211,7 +214,7 @@ mod tests {
             planned_duration_s: 2000.0,
         });
         flight.scene.duration_s = 2000.0;
-        let tree: Value = serde_json::from_str(&json(&flight, &[NAME])).unwrap();
+        let tree: Value = serde_json::from_str(&json(&flight, &[NAME], None)).unwrap();
         assert_eq!(at(&tree, "ended.sample"), 36_001);
         assert_eq!(at(&tree, "ended.reason"), &Value::from(reason));
         assert_eq!(at(&tree, "ended.planned_duration_s"), 2000.0);
@@ -223,7 +226,7 @@ mod tests {
         let mut flight = sample::flight();
         (flight.window, flight.time) = (None, None);
         flight.last.drift.position_m[0] = f64::NAN;
-        let tree: Value = serde_json::from_str(&json(&flight, &[NAME])).unwrap();
+        let tree: Value = serde_json::from_str(&json(&flight, &[NAME], None)).unwrap();
         for key in ["window", "time", "error.final.north_m"] {
             assert!(at(&tree, key).is_null(), "{key}");
         }

@@ -1,9 +1,9 @@
 //! The drift table: errors at a dozen times beside their theoretical values.
 
+use super::verdict::verdict;
 use super::{largest, norm};
 use schuler_simulator::flight::{Flight, Instant, Nine, Used};
 use schuler_simulator::number::{Quantity, Unit, rounded};
-use schuler_simulator::theory::Outside;
 
 /// How many rows the table has.
 const ROWS: usize = 12;
@@ -11,6 +11,8 @@ const ROWS: usize = 12;
 const NOTHING: &str = "–";
 /// Characters of theory's mean ± 1σ.
 const THEORY_WIDTH: usize = 13;
+/// Characters of a column that has errors alone.
+const ALONE: usize = 11;
 
 /// A column: one number of [`Nine`], in a unit that suits the whole run.
 pub struct Column {
@@ -99,39 +101,67 @@ pub fn rows_of<'a>(overview: &'a [Instant], last: &'a Instant) -> Vec<&'a Instan
     rows
 }
 
-/// The table for a terminal, 120 columns at most, with a verdict below it.
+/// Columns of a block with theory beside the errors, and without.
+const BLOCKS: [usize; 2] = [3, 5];
+
+/// The table for a terminal, 80 columns at most, with a verdict below it. Where theory expects nothing, the errors stand
+/// alone.
 pub fn table(flight: &Flight) -> String {
     let columns = columns(flight);
-    let whole_s = flight.last.time_s >= 1000.0;
-    let mut lines = vec![format!("{:>6} ", "time"), format!("{:>6} ", "s"), "─".repeat(7)];
-    for column in &columns {
-        let (error, theory) = (column.width(), THEORY_WIDTH);
-        let width = error + 1 + theory;
-        let bars = if column.is_norm { "|" } else { "" };
-        let heading = format!("{bars}{}{bars} {}", column.name, column.unit.name);
-        lines[0] += &format!("│ {heading:^width$} ");
-        lines[1] += &format!("│ {:>error$} {:>theory$} ", "error", "mean ± 1σ  ");
-        lines[2] += &format!("┼{}", "─".repeat(width + 2));
+    let rows = rows(flight);
+    let is_expected = rows.iter().any(|instant| expects(instant));
+    let mut lines = Vec::new();
+    for block in columns.chunks(BLOCKS[usize::from(!is_expected)]) {
+        lines.extend(self::block(block, &rows, is_expected, flight.last.time_s >= 1000.0));
+        lines.push(String::new());
     }
-    for instant in rows(flight) {
-        let decimals = if whole_s { 0 } else { 2 };
-        let mut line = format!("{:>6.decimals$} ", instant.time_s);
-        for column in &columns {
-            let [error, mean, sigma] = column.cells(instant);
-            let theory = match sigma.as_str() {
-                NOTHING => format!("{NOTHING:^THEORY_WIDTH$}"),
-                _ => format!("{mean:>5} ± {sigma:<5}"),
-            };
-            line += &format!("│ {error:>w$} {theory} ", w = column.width());
-        }
-        lines.push(line);
-    }
-    lines.push(String::new());
     lines.extend(super::ended(flight));
     lines.extend(verdict(flight));
     lines.extend(edges(flight));
     lines.extend(unit_note(&columns));
     lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// Whether theory says anything but zero of an instant.
+fn expects(instant: &Instant) -> bool {
+    let numbers = [instant.mean, instant.sigma].map(|nine| nine.numbers());
+    numbers.iter().flatten().any(|number| *number != 0.0)
+}
+
+fn block(columns: &[Column], rows: &[&Instant], is_expected: bool, whole_s: bool) -> Vec<String> {
+    let mut lines = vec![format!("{:>6} ", "time"), format!("{:>6} ", "s"), "─".repeat(7)];
+    for column in columns {
+        let (error, theory) = (column.width(), THEORY_WIDTH);
+        let width = if is_expected { error + 1 + theory } else { ALONE };
+        let bars = if column.is_norm { "|" } else { "" };
+        let name = format!("{bars}{}{bars}", column.name);
+        lines[0] += &match is_expected {
+            true => format!("│ {:^width$} ", format!("{name} {}", column.unit.name)),
+            false => format!("│ {name:^width$} "),
+        };
+        lines[1] += &match is_expected {
+            true => format!("│ {:>error$} {:>theory$} ", "error", "mean ± 1σ  "),
+            false => format!("│ {:^width$} ", column.unit.name),
+        };
+        lines[2] += &format!("┼{}", "─".repeat(width + 2));
+    }
+    for instant in rows {
+        let decimals = if whole_s { 0 } else { 2 };
+        let mut line = format!("{:>6.decimals$} ", instant.time_s);
+        for column in columns {
+            let [error, mean, sigma] = column.cells(instant);
+            let theory = match sigma.as_str() {
+                NOTHING => format!("{NOTHING:^THEORY_WIDTH$}"),
+                _ => format!("{mean:>5} ± {sigma:<5}"),
+            };
+            line += &match is_expected {
+                true => format!("│ {error:>w$} {theory} ", w = column.width()),
+                false => format!("│ {error:>w$} ", w = ALONE),
+            };
+        }
+        lines.push(line);
+    }
+    lines
 }
 
 /// How long the windows were that stand at an edge, if any did.
@@ -154,88 +184,22 @@ pub fn unit_note(columns: &[Column]) -> Option<String> {
     Some(format!("{} is {:e} arcsec.", unit.name, 1.0 / unit.factor))
 }
 
-/// How far each component lies from theory's mean in its standard deviations; `None` where
-/// theory expects no scatter.
-pub fn z_scores(last: &Instant) -> [Option<f64>; 3] {
-    std::array::from_fn(|axis| {
-        let sigma = last.sigma.position_m[axis];
-        let deviation = last.drift.position_m[axis] - last.mean.position_m[axis];
-        (sigma > 0.0).then(|| deviation / sigma)
-    })
-}
-
-/// The run in two lines: what the error came to, and what theory says of it.
-pub fn verdict(flight: &Flight) -> [String; 2] {
-    let last = &flight.last;
-    let position = |nine: &Nine| Quantity::Position.show(norm(nine.position_m));
-    let outcome = format!(
-        "Position error {} at {} s, {} at its largest; velocity {}, attitude {} at the end.",
-        position(&last.drift),
-        schuler_simulator::number::parameter(last.time_s),
-        Quantity::Position.show(flight.max.norms[0]),
-        Quantity::Velocity.show(norm(last.drift.velocity_m_s)),
-        Quantity::Attitude.show(norm(last.drift.attitude_arcsec)),
-    );
-    let scores = z_scores(last);
-    let theory = if scores.iter().any(Option::is_some) {
-        let score = |axis: usize| match scores[axis] {
-            Some(z) => format!("{z:+.2}σ"),
-            None => "no scatter".to_owned(),
-        };
-        format!(
-            "Theory: mean {}, 1σ {}; the error lies {} north, {} east, {} down of the mean.",
-            position(&last.mean),
-            position(&last.sigma),
-            score(0),
-            score(1),
-            score(2),
-        )
-    } else if norm(last.mean.position_m) > 0.0 {
-        let rest: [f64; 3] =
-            std::array::from_fn(|axis| last.drift.position_m[axis] - last.mean.position_m[axis]);
-        format!(
-            "Theory: mean {}, nothing random; the error differs from it by {}.",
-            position(&last.mean),
-            Quantity::Position.show(norm(rest)),
-        )
-    } else {
-        "Theory: no drift to expect; the error is the navigator's own.".to_owned()
-    };
-    [outcome, outside_theory(flight).unwrap_or(theory)]
-}
-
-/// What happened that the linear error model does not know, if anything.
-fn outside_theory(flight: &Flight) -> Option<String> {
-    let mut reasons = Vec::new();
-    if flight.saturated > 0 {
-        reasons.push(format!("{} samples were saturated", flight.saturated));
-    }
-    if flight.lost > 0 {
-        reasons.push(format!("{} samples were lost", flight.lost));
-    }
-    match flight.outside {
-        Some(Outside::Samples) | None => {}
-        Some(outside) => reasons.push(outside.to_string()),
-    }
-    let what = reasons.join(", ");
-    (!what.is_empty())
-        .then(|| format!("Theory: not comparable, the linear model ends where {what}."))
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::sample;
     use super::*;
 
+    /// Characters of the table's lines; a terminal breaks the sentences below it.
     fn widest(text: &str) -> usize {
-        text.lines().map(|line| line.chars().count()).max().unwrap()
+        let lines = text.lines().filter(|line| line.contains(['│', '┼']));
+        lines.map(|line| line.chars().count()).max().unwrap()
     }
 
     #[test]
     fn shows_a_dozen_times_with_theory_beside() {
         let flight = sample::flight();
         let text = table(&flight);
-        assert!(widest(&text) <= 120, "{}\n{text}", widest(&text));
+        assert!(widest(&text) <= 80, "{}\n{text}", widest(&text));
         let times: Vec<f64> =
             rows(&flight).iter().map(|instant| (instant.time_s / 10.0).round() * 10.0).collect();
         assert_eq!(times, (1..=12).map(|k| 150.0 * f64::from(k)).collect::<Vec<_>>());
@@ -246,39 +210,29 @@ mod tests {
                 .map(|(nine, digits)| rounded(nine.position_m[2], digits));
         let plain = |cell: &str| cell.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(plain(cells[3]), format!("{down} {mean} ± {sigma}"));
-        assert_eq!(
-            plain(cells[4]).split(' ').next().unwrap(),
-            rounded(norm(flight.last.drift.velocity_m_s), 4)
-        );
+        let velocity = rounded(norm(flight.last.drift.velocity_m_s), 4);
+        let below = text.lines().rfind(|line| line.trim_start().starts_with("1800")).unwrap();
+        let cells: Vec<&str> = below.split('│').map(str::trim).collect();
+        assert_eq!(plain(cells[1]).split(' ').next().unwrap(), velocity);
         let bars = |line: &str| -> Vec<usize> {
             line.chars().enumerate().filter(|(_, c)| "│┼".contains(*c)).map(|(i, _)| i).collect()
         };
         let lines: Vec<_> = text.lines().take(3 + ROWS).map(bars).collect();
-        assert!(lines.iter().all(|columns| columns.len() == 5 && *columns == lines[0]), "{text}");
+        assert!(lines.iter().all(|columns| columns.len() == 3 && *columns == lines[0]), "{text}");
     }
 
     #[test]
     fn stays_aligned_from_nanometres_to_megametres() {
         for scale in [1e-13, 1e-9, 1e-3, 1.0, 1e3] {
             let text = table(&sample::scaled(scale));
-            assert!(widest(&text) <= 120, "{scale}: {}\n{text}", widest(&text));
+            assert!(widest(&text) <= 80, "{scale}: {}\n{text}", widest(&text));
         }
         let text = table(&sample::perfect());
-        assert!(text.contains("north nm") && text.ends_with("pas is 1e-12 arcsec.\n"), "{text}");
-    }
-
-    #[test]
-    fn verdict_counts_standard_deviations() {
-        let mut flight = sample::flight();
-        flight.last.drift.position_m = [5.0, -1.0, 2.0];
-        flight.last.mean.position_m = [1.0, 1.0, 2.0];
-        flight.last.sigma.position_m = [2.0, 4.0, 0.0];
-        assert_eq!(z_scores(&flight.last), [Some(2.0), Some(-0.5), None]);
-        let [_, theory] = verdict(&flight);
-        assert!(theory.contains("+2.00σ north, -0.50σ east, no scatter down"), "{theory}");
-        flight.last.sigma.position_m = [0.0; 3];
-        assert!(verdict(&flight)[1].contains("differs from it by 4.472 m"));
-        assert!(verdict(&sample::perfect())[1].contains("navigator's own"));
+        assert!(!text.contains('±') && widest(&text) <= 80, "{text}");
+        assert!(
+            text.contains("│     nm      │") && text.ends_with("pas is 1e-12 arcsec.\n"),
+            "{text}"
+        );
     }
 
     #[test]

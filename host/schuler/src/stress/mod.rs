@@ -15,6 +15,7 @@
 //! | `rounding` | how many digits are trustworthy |
 //! | `aged` | states stored late, sums of many terms |
 //! | `unresolved` | motion that the sampling does not resolve, noise, coarse steps |
+//! | `lines`, `page` | the table in the terminal, and as a page |
 //! | `fuzz` | random scenes: the plan against every window |
 
 mod aged;
@@ -22,9 +23,11 @@ pub mod case;
 pub mod floor;
 mod flown;
 pub mod fuzz;
+mod lines;
 mod link;
 mod motion;
 mod numbers;
+pub mod page;
 mod place;
 mod refused;
 pub mod residual;
@@ -33,7 +36,7 @@ mod time;
 mod unresolved;
 
 use crate::cli::StressArgs;
-use case::{Case, Check, number};
+use case::{Case, Check};
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::number::exact;
 use schuler_simulator::output::{self, OutputFile, say};
@@ -72,13 +75,17 @@ pub fn stress(args: &StressArgs) -> Result<(), FlightError> {
         }
     }
     // What cannot be written is found before the long work, not after it.
-    let path = args.out.as_ref().map(|folder| folder.join("stress.csv"));
-    let file = path.map(OutputFile::create).transpose()?;
+    let files = args.out.as_ref().map(|folder| {
+        let [table, page] = ["stress.csv", page::NAME].map(|name| folder.join(name));
+        Ok::<_, InputError>([OutputFile::create(table)?, OutputFile::create(page)?])
+    });
+    let files = files.transpose()?;
     let rows = run(&cases)?;
-    if let Some(file) = file {
-        let path = file.path().to_owned();
-        file.fill(csv(&rows))?;
-        say(&format!("written to {}\n", path.display()))?;
+    if let (Some([mut table, mut page]), Some(folder)) = (files, &args.out) {
+        table.put(csv(&rows))?;
+        page.put(page::page(&rows))?;
+        output::place(vec![table, page], &[])?;
+        say(&format!("written to {}\n", folder.display()))?;
     }
     let failed = rows.iter().filter(|row| !row.passes()).count();
     say(&format!("{} checks, {failed} failed\n", rows.len()))?;
@@ -120,15 +127,12 @@ impl Row {
     }
 }
 
-/// Width of the column of names.
-const NAME: usize = 62;
-
 /// Runs cases and prints a row for each check as soon as it is known.
 pub fn run(cases: &[Case]) -> Result<Vec<Row>, InputError> {
     let progress = CaseProgress::new(cases.len() as u64);
     let mut rows = Vec::new();
-    let [bound, measured] = ["bound", "measured"];
-    say(&format!("{:8} {:NAME$} {bound:>11} {measured:>10}\n", "group", "case"))?;
+    say(&lines::head())?;
+    let mut group = "";
     for case in cases {
         progress.begin(&case.full_name());
         let outcome = case.run(&progress);
@@ -137,26 +141,14 @@ pub fn run(cases: &[Case]) -> Result<Vec<Row>, InputError> {
             Ok(checks) => checks.into_iter().map(|check| row(Ok(check))).collect(),
             Err(why) => vec![row(Err(why))],
         };
-        let text: String = new.iter().map(line).collect();
+        let heading = if case.group == group { String::new() } else { format!("{}\n", case.group) };
+        group = case.group;
+        let text = heading + &new.iter().map(lines::line).collect::<String>();
         progress.end(|| say(&text))?;
         rows.extend(new);
     }
     progress.finish();
     Ok(rows)
-}
-
-/// A row as it is printed; where a check fails, with the reason of its bound.
-fn line(row: &Row) -> String {
-    let (group, name, verdict) = (row.group, row.name(), row.verdict());
-    match &row.check {
-        Ok(check) => {
-            let Check { bound, measured, unit, why, .. } = check;
-            let why = if row.passes() { String::new() } else { format!("         bound: {why}\n") };
-            let (bound, measured) = (bound.to_string(), number(*measured));
-            format!("{group:8} {name:NAME$} {bound:>11} {measured:>10} {unit:7} {verdict}\n{why}")
-        }
-        Err(why) => format!("{group:8} {name:NAME$} {why} {verdict}\n"),
-    }
 }
 
 /// All rows as a CSV file. `why` is where a bound comes from, or why a case broke off.

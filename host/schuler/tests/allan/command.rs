@@ -54,7 +54,13 @@ fn a_recording_becomes_a_section_that_flies() {
     assert_eq!(code, Some(0), "{said}");
     let page = fs::read_to_string(folder.join("found/allan.html")).unwrap();
     assert_eq!(page.matches("<figure").count(), 2);
-    assert!(!page.contains("NaN") && !page.contains("inf,"));
+    for figure in page.split("application/json\">").skip(1) {
+        let json = figure.split("</script>").next().unwrap();
+        let tree: serde_json::Value = serde_json::from_str(json).expect(json);
+        assert_eq!((&tree["x"]["log"], &tree["y"]["log"]), (&true.into(), &true.into()));
+        // A line, an interval and dots for each axis.
+        assert!(tree["layers"].as_array().unwrap().len() >= 9, "{json}");
+    }
     let csv = fs::read_to_string(folder.join("found/allan.csv")).unwrap();
     assert!(
         csv.starts_with("axis,tau_s,differences,deviation,lower_95,upper_95,fitted,configured\n")

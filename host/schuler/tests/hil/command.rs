@@ -37,7 +37,7 @@ fn both(options: &str, link: &str) -> [Value; 2] {
 fn results(summary: &Value) -> Value {
     let mut summary = summary.clone();
     let keys = summary.as_object_mut().unwrap();
-    let others = ["time", "skipped", "link", "kind", "command", "files"];
+    let others = ["time", "skipped", "link", "lockstep", "kind", "command", "files"];
     keys.retain(|key, _| !others.contains(&key.as_str()));
     summary
 }
@@ -48,6 +48,10 @@ fn a_target_in_a_process_of_its_own_flies_the_same_bits() {
         let [hil, run] = both(&format!("--duration 60 --precision {precision}"), "");
         assert_eq!(results(&hil), results(&run));
         assert_eq!(hil["link"]["device"], "twin");
+        assert_eq!(
+            (&hil["lockstep"]["equal"], hil["lockstep"].get("latency")),
+            (&true.into(), None)
+        );
         assert_eq!(hil["link"]["worst_round_trips"], 1);
         assert!(run["link"].is_null());
     }
@@ -58,6 +62,10 @@ fn faults_on_the_way_change_no_bit() {
     let link = "--faults all=0.2 --fault-seed 3 --retries 20";
     let [hil, run] = both("--duration 60 --precision f32", link);
     assert_eq!(results(&hil), results(&run));
+    let spans = hil["lockstep"]["link_over_time"].as_array().unwrap();
+    let count = |key: &str| spans.iter().map(|span| span[key].as_u64().unwrap()).sum::<u64>();
+    assert!(spans.len() == 60 && count("faults") > 100, "{spans:?}");
+    assert!(count("sent_again") <= hil["link"]["resent"].as_u64().unwrap());
     let link = &hil["link"];
     for fault in link["faults"].as_array().unwrap() {
         assert!(fault["to_target"].as_u64().unwrap() > 5, "{fault}");

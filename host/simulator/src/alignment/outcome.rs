@@ -2,6 +2,7 @@
 
 use super::aligner::Aligner;
 use super::setup::Setup;
+use crate::quadratic::quadratic;
 use crate::source::Source;
 use schuler::aiding::alignment::aligned::Aligned;
 use schuler::aiding::alignment::verdict::AlignmentFault;
@@ -61,18 +62,4 @@ impl Outcome {
         let time_s = source.time_s(samples);
         Some(Self { aligned, solution, time_s, samples, error, sigma, nees })
     }
-}
-
-/// eᵀP⁻¹e by Cholesky's factor: L·z = e, P = L·Lᵀ.
-fn quadratic(p: &[[f64; 3]; 3], e: &[f64; 3]) -> f64 {
-    let mut l = [[0.0; 3]; 3];
-    let mut z = [0.0; 3];
-    for i in 0..3 {
-        for j in 0..=i {
-            let rest = p[i][j] - (0..j).map(|k| l[i][k] * l[j][k]).sum::<f64>();
-            l[i][j] = if i == j { rest.sqrt() } else { rest / l[j][j] };
-        }
-        z[i] = (e[i] - (0..i).map(|k| l[i][k] * z[k]).sum::<f64>()) / l[i][i];
-    }
-    z.iter().map(|z| z * z).sum()
 }

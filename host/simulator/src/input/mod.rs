@@ -2,6 +2,7 @@
 
 pub mod document;
 pub mod key;
+pub mod name;
 
 use std::fmt::{self, Display, Formatter};
 
@@ -85,7 +86,7 @@ impl std::error::Error for InputError {}
 
 /// A file's text, or an error that names the file.
 pub fn read_text(file: &str) -> Result<String, InputError> {
-    let bytes = std::fs::read(file)
+    let bytes = std::fs::read(name::path_of(file))
         .map_err(|e| InputError::file(file, Complaint::new(format!("cannot be read: {e}"), "")))?;
     String::from_utf8(bytes).map_err(|e| {
         let valid = e.utf8_error().valid_up_to();

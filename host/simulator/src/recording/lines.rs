@@ -1,5 +1,6 @@
 //! Lines of a file, one at a time in little memory.
 
+use crate::input::name::path_of;
 use crate::input::{Complaint, InputError};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Write};
@@ -10,7 +11,7 @@ const LONGEST: u64 = 1 << 16;
 /// Opens a file. What can be read only once, a pipe, is kept in a temporary file that nobody else sees.
 pub fn open(name: &str) -> Result<File, InputError> {
     let open = || -> io::Result<File> {
-        let mut file = File::open(name)?;
+        let mut file = File::open(path_of(name))?;
         if file.metadata()?.is_file() {
             return Ok(file);
         }

@@ -6,12 +6,12 @@ use super::lines::{self, Lines};
 use super::navigation::NavigationRow;
 use super::reduction::Reduction;
 use super::{Kind, Row, Unread, csv, psins};
+use crate::input::name::path_of;
 use crate::input::{Complaint, InputError};
 use crate::rest::units::{TimeUnit, Units};
 use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use std::fs::File;
-use std::path::Path;
 
 /// A file of samples, not yet read beyond what stands before them.
 #[derive(Debug)]
@@ -63,7 +63,7 @@ impl Recording {
 
     /// The same with all that is said of it.
     pub fn open_as(name: &str, given: &Given) -> Result<Self, InputError> {
-        let file = if Path::new(name).is_dir() { None } else { Some(lines::open(name)?) };
+        let file = if path_of(name).is_dir() { None } else { Some(lines::open(name)?) };
         Self::new(name, file, given)
     }
 

@@ -24,6 +24,7 @@ const SCENES: &[(&str, &str)] = scenes![
     "waypoints",
     "drive",
     "pole-circuit",
+    "aided-drive",
     "align-still",
     "align-turn",
     "align-sway",

@@ -2,7 +2,7 @@
 
 mod path;
 
-use super::{Channel, Scene, Trajectory, WindowShape};
+use super::{Channel, Scene, Trajectory, Vertical, WindowShape};
 use crate::course::HARMONICS;
 use crate::input::{Complaint, Range};
 use crate::units::DEGREE;
@@ -188,7 +188,29 @@ pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
     }
     latency(scene)?;
     alignment(scene)?;
+    aiding(scene)?;
     jitter(scene)
+}
+
+/// Refuses what does not go with aiding.
+fn aiding(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
+    if !scene.aiding.is_there() {
+        return Ok(());
+    }
+    let refuse = |key, what: &str, accepted: &str| Err((key, Complaint::new(what, accepted)));
+    if scene.navigator.vertical == Vertical::Held {
+        let accepted = "\"free\"; a barometer holds the vertical";
+        return refuse("navigator.vertical", "is held, and aiding finds it", accepted);
+    }
+    if scene.link.loss > 0.0 || scene.link.jitter_s > 0.0 {
+        let what = "an aided navigator takes every sample, at its time";
+        return refuse("link", what, "no loss and no jitter_s");
+    }
+    if scene.alignment.is_some() {
+        let what = "comes before navigation without aiding: a filter aligns by its measurements";
+        return refuse("alignment", what, "heading_sigma_deg in [filter]");
+    }
+    Ok(())
 }
 
 /// Refuses an alignment that leaves no time for navigation, or misses samples.

@@ -2,6 +2,7 @@
 //!
 //! `parse` reads it from TOML, `builtin` holds the scenes that come with the program.
 
+pub mod aiding;
 pub mod alignment;
 pub mod build;
 pub mod builtin;
@@ -17,7 +18,9 @@ pub mod window;
 
 use crate::course::Path;
 use crate::input::document::{Document, did_you_mean};
+use crate::input::name::path_of;
 use crate::input::{Complaint, InputError, read_text};
+pub use aiding::{Aiding, Filtering};
 pub use alignment::{Alignment, Base};
 pub use navigator::{Gap, Link, Navigator, Vertical};
 pub use schuler::flight::configuration::{Algorithm, Axes, Precision};
@@ -25,7 +28,6 @@ pub use schuler::strapdown::block::shape::WindowShape;
 
 use route::Route;
 use schuler::trajectory::harmonic::Harmonic;
-use std::path;
 use std::sync::Arc;
 
 /// Everything that one run needs to know.
@@ -51,6 +53,8 @@ pub struct Scene {
     pub accelerometer: SensorErrors,
     /// What the navigator's start is off by.
     pub initial_error: InitialError,
+    /// What aids the navigator.
+    pub aiding: Aiding,
     /// The alignment that navigation begins with, if any.
     pub alignment: Option<Alignment>,
     /// How it is navigated.
@@ -76,7 +80,7 @@ pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputErr
     if let Some(scene) = builtin::scene(name_or_path) {
         return Ok(scene);
     }
-    let is_path = name_or_path.contains(['/', '\\', '.']) || path::Path::new(name_or_path).exists();
+    let is_path = name_or_path.contains(['/', '\\', '.']) || path_of(name_or_path).exists();
     if !is_path {
         let names = builtin::names().map(|(name, _)| name);
         let names: Vec<_> = names.chain(other.iter().copied()).collect();
@@ -88,8 +92,14 @@ pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputErr
     parse::scene(name_or_path, &read_text(name_or_path)?)
 }
 
-/// Refuses a scene that begins with an alignment where flights start from what is known.
-pub fn without_alignment(scene: Scene) -> Result<Scene, InputError> {
+/// Refuses a scene that begins with an alignment, or is aided, where flights start from what is known and navigate by
+/// inertia alone.
+pub fn unaided(scene: Scene) -> Result<Scene, InputError> {
+    if scene.aiding.is_there() {
+        let what = "is aided, and here navigation is by inertia alone";
+        let accepted = "a scene without [gnss] and the like; run and ensemble fly it";
+        return Err(InputError::option("filter", Complaint::new(what, accepted)));
+    }
     if scene.alignment.is_none() {
         return Ok(scene);
     }

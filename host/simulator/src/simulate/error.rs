@@ -4,6 +4,7 @@ use crate::input::{Complaint, InputError};
 use crate::navigator::Unavailable;
 use crate::scene::Gap;
 use crate::source::{Source, SourceError};
+use schuler::aiding::aided::fault::AidedFault;
 use schuler::link::gap::Missing;
 use schuler::strapdown::limits::MOST_TURN;
 use schuler::strapdown::limits::Rejected;
@@ -137,6 +138,8 @@ pub enum Refused {
     Missing,
     /// It cannot be right, or leads where the navigator cannot go.
     Rejected(Rejected),
+    /// A measurement that an aided navigator cannot take.
+    Aiding(AidedFault),
     /// What navigates cannot go on.
     Stopped(Complaint),
 }
@@ -189,6 +192,10 @@ impl Refused {
         match self {
             Self::Missing => FlightError::Lost { sample, time_s, bridged: gap == Gap::Bridge },
             Self::Rejected(why) => FlightError::Rejected { sample, time_s, why },
+            Self::Aiding(fault) => {
+                let complaint = Complaint::new(format!("{time_s} s: {fault}"), "");
+                FlightError::Stopped(InputError::option("filter", complaint))
+            }
             Self::Stopped(complaint) => {
                 FlightError::Stopped(InputError::option("--device", complaint))
             }

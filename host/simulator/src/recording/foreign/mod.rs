@@ -28,6 +28,7 @@ pub(super) use parts::{Parts, PartsReader};
 use super::instant::Scale;
 use super::reduction::Reduction;
 use super::{Kind, csv};
+use crate::input::name::path_of;
 use crate::input::{Complaint, InputError, read_text};
 use crate::rest::units::TimeUnit;
 use crate::units::{DEGREE_PER_HOUR, MICRO_G, PART_PER_MILLION};
@@ -145,7 +146,7 @@ fn choose(source: &Source, given: &Given) -> Result<(Map, Vec<String>), InputErr
 fn stated(name: &str) -> Result<Map, InputError> {
     match known::map(name) {
         Some(map) => Ok(map),
-        None if Path::new(name).is_file() => parse::map(name, &read_text(name)?),
+        None if path_of(name).is_file() => parse::map(name, &read_text(name)?),
         None => {
             let what = format!("there is no \"{name}\"");
             let accepted = format!("a TOML file, or one of {}", known::names());

@@ -6,6 +6,7 @@ use super::head::Head;
 use super::map::{Column, Map, Time};
 use super::merge::{Merged, Merging};
 use super::table::{Reader, Table, Taken};
+use crate::input::name::path_of;
 use crate::input::{Complaint, InputError};
 use schuler::alignment::units::Kind;
 use std::fs::File;
@@ -43,7 +44,7 @@ impl Source<'_> {
         }
         let folder = self.folder();
         let paths = || names.iter().map(|name| folder.join(name).display().to_string());
-        match paths().find(|path| Path::new(path).exists()) {
+        match paths().find(|path| path_of(path).exists()) {
             Some(path) => lines::open(&path).map(|file| (path, file)),
             None => {
                 let missing: Vec<_> = paths().collect();
@@ -57,7 +58,11 @@ impl Source<'_> {
     /// Where files beside it are.
     pub fn folder(&self) -> PathBuf {
         let path = Path::new(self.name);
-        if path.is_dir() { path.to_owned() } else { path.parent().unwrap_or(path).to_owned() }
+        if path_of(self.name).is_dir() {
+            path.to_owned()
+        } else {
+            path.parent().unwrap_or(path).to_owned()
+        }
     }
 }
 

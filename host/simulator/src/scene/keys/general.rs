@@ -18,6 +18,12 @@ table! {
     TEMPERATURES = "temperature": Said("a table"), "that of calibration", "the temperature of the sensors";
     INITIAL_ERROR = "initial_error": Said("a table"), "none", "what the navigator's start is off by";
     ALIGNED = "alignment": Said("a table"), "navigation starts from the truth and `initial_error`", "an alignment that navigation begins with";
+    RECEIVER = "gnss": Said("a table"), "none", "a satellite receiver";
+    PRESSURE = "barometer": Said("a table"), "none", "a barometer";
+    WHEEL = "odometer": Said("a table"), "none", "an odometer";
+    STANDING = "zero_velocity": Said("a table"), "none", "what says that the vehicle stands still";
+    WHEELS = "non_holonomic": Said("a table"), "none", "what says that it goes neither sideways nor up";
+    FILTERED = "filter": Said("a table"), "its defaults", "how these are filtered";
     NAVIGATION = "navigator": Said("a table"), "its defaults", "how the samples are navigated";
     LINKED = "link": Said("a table"), "nothing is lost", "what happens to samples on their way";
 }

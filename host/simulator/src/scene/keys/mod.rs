@@ -4,8 +4,10 @@
 //! |---|---|
 //! | [`general`] | the top level, navigator, link |
 //! | [`motion`] | channels, vibration, lever arm |
+//! | [`aiding`] | sensors that aid a navigator, and its filter |
 //! | [`path`] | segments, way-points, logs |
 
+pub mod aiding;
 pub mod general;
 pub mod motion;
 pub mod path;
@@ -17,7 +19,7 @@ use crate::flight::Nine;
 use crate::input::key::Table;
 use std::fmt::Write as _;
 
-const TABLES: [&Table; 19] = [
+const TABLES: [&Table; 26] = [
     &general::ROOT,
     &motion::TRAJECTORY,
     &motion::CHANNEL,
@@ -29,6 +31,13 @@ const TABLES: [&Table; 19] = [
     &path::POINT,
     &path::LOG,
     &general::ALIGNMENT,
+    &aiding::GNSS,
+    &aiding::FORGERY,
+    &aiding::BAROMETER,
+    &aiding::ODOMETER,
+    &aiding::ZERO_VELOCITY,
+    &aiding::NON_HOLONOMIC,
+    &aiding::FILTER,
     &general::NAVIGATOR,
     &general::WINDOW,
     &general::LINK,

@@ -1,5 +1,6 @@
 //! Scenes from TOML: keys, defaults and limits. Units are turned into SI here and nowhere else.
 
+mod aiding;
 mod sensors;
 mod trajectory;
 
@@ -40,6 +41,7 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
         gyro,
         accelerometer,
         initial_error: initial_error(&root)?,
+        aiding: aiding::read(&root, duration_s)?,
         alignment: alignment(&root)?,
         navigator: navigation(&root)?,
         link: link(&root)?,

@@ -1,0 +1,44 @@
+//! What is printed of aided navigation.
+
+use schuler_simulator::aided::report::{Count, Report};
+use schuler_simulator::number::rounded;
+
+/// What became of the measurements, a line for each sensor.
+pub fn lines(report: &Report) -> String {
+    let mut text: String = report.sensors.iter().map(line).collect();
+    let odd = [
+        (report.again, "came again"),
+        (report.late, "came too late"),
+        (report.dropped, "found no room"),
+    ];
+    for (count, what) in odd.into_iter().filter(|(count, _)| *count > 0) {
+        text += &format!("{count} measurements {what}\n");
+    }
+    let times = |times: &[f64]| times.iter().map(|t| rounded(*t, 5)).collect::<Vec<_>>().join(", ");
+    if !report.lockouts_s.is_empty() {
+        text += &format!("locked out at {} s\n", times(&report.lockouts_s));
+    }
+    if !report.restarts_s.is_empty() {
+        text += &format!("the heading was looked for again at {} s\n", times(&report.restarts_s));
+    }
+    text
+}
+
+fn line(count: &Count) -> String {
+    let fits = count.consistency().map_or(String::new(), |(nis, [least, most])| {
+        let verdict = if nis < least {
+            ": they fit better than they say"
+        } else if nis > most {
+            ": they fit worse than they say"
+        } else {
+            ""
+        };
+        format!(
+            ", NIS {} of 1 ({} to {} in 95 %){verdict}",
+            rounded(nis, 3),
+            rounded(least, 3),
+            rounded(most, 3)
+        )
+    });
+    format!("{}: {} taken, {} refused{fits}\n", count.sensor, count.accepted, count.refused)
+}

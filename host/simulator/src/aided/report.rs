@@ -1,0 +1,109 @@
+//! What became of a run's measurements.
+
+use schuler::aiding::aided::measured::{Kind, Sensor};
+use schuler::aiding::aided::tally::Transport;
+use serde::Serialize;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+/// A measurement that was judged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judgement {
+    /// When it was true, s.
+    pub time_s: f64,
+    /// What was measured.
+    pub kind: Kind,
+    /// Σ y²/α.
+    pub nis: f64,
+    /// Whether it was taken.
+    pub accepted: bool,
+    /// Whether it completed a lockout.
+    pub locked_out: bool,
+}
+
+/// A sensor's measurements.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Count {
+    /// What it is.
+    pub sensor: &'static str,
+    /// Vectors taken.
+    pub accepted: u32,
+    /// Vectors refused.
+    pub refused: u32,
+    /// Lockouts.
+    pub lockouts: u32,
+    /// Components of the vectors taken.
+    pub degrees: u32,
+    /// Σ NIS of them.
+    pub nis: f64,
+}
+
+impl Count {
+    /// Σ NIS by what it should be, and where 95 % of such sums lie; `None` without measurements.
+    pub fn consistency(&self) -> Option<(f64, [f64; 2])> {
+        let freedom = f64::from(self.degrees);
+        let law = ChiSquared::new(freedom).ok().filter(|_| self.degrees > 0)?;
+        let expected = [0.025, 0.975].map(|part| law.inverse_cdf(part) / freedom);
+        Some((self.nis / freedom, expected))
+    }
+}
+
+/// What became of the measurements of a run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Report {
+    /// By sensor; those without measurements are not there.
+    pub sensors: Vec<Count>,
+    /// Measurements that came again.
+    pub again: u32,
+    /// Measurements older than what is remembered, or than the horizon.
+    pub late: u32,
+    /// Measurements for which there was no room.
+    pub dropped: u32,
+    /// When lockouts were, s.
+    pub lockouts_s: Vec<f64>,
+    /// When the filter started again to look for the heading, s.
+    pub restarts_s: Vec<f64>,
+}
+
+/// What a sensor is called.
+pub fn name(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Gnss => "gnss",
+        Sensor::Barometer => "barometer",
+        Sensor::Odometer => "odometer",
+        Sensor::ZeroVelocity => "zero velocity",
+        Sensor::NonHolonomic => "non-holonomic",
+    }
+}
+
+impl Report {
+    /// Of all that was judged.
+    pub fn new(
+        judged: &[Judgement],
+        restarts_s: &[f64],
+        lockouts: [u32; 5],
+        transport: Transport,
+    ) -> Self {
+        let sensors = Sensor::ALL.into_iter().zip(lockouts).filter_map(|(sensor, lockouts)| {
+            let mut count = Count { sensor: name(sensor), lockouts, ..Count::default() };
+            for one in judged.iter().filter(|one| one.kind.sensor() == sensor) {
+                if one.accepted {
+                    count.accepted += 1;
+                    count.degrees += one.kind.degrees();
+                    count.nis += one.nis;
+                } else {
+                    count.refused += 1;
+                }
+            }
+            (count.accepted + count.refused > 0).then_some(count)
+        });
+        let locked = judged.iter().filter(|one| one.locked_out).map(|one| one.time_s);
+        Self {
+            sensors: sensors.collect(),
+            again: transport.again,
+            late: transport.late,
+            dropped: transport.dropped,
+            lockouts_s: locked.collect(),
+            restarts_s: restarts_s.to_vec(),
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! One run's navigator with its measurements.
+
+use super::measurements::{self, Arriving};
+use super::navigator::{self, Aids};
+use super::report::Report;
+use crate::input::InputError;
+use crate::scene::Scene;
+use crate::source::Source;
+use schuler::aiding::aided::fault::AidedFault;
+use schuler::sample::Increment;
+use schuler::solution::Solution;
+
+/// A run's navigator with its measurements.
+pub struct AidedVehicle {
+    navigator: Box<dyn Aids>,
+    arriving: Vec<Arriving>,
+    next: usize,
+    taken: u64,
+    rate_hz: f64,
+}
+
+impl AidedVehicle {
+    /// At the start of a run.
+    pub fn new(
+        scene: &Scene,
+        source: &Source,
+        run: u64,
+        initial: &Solution<f64>,
+    ) -> Result<Self, InputError> {
+        let navigator = navigator::start(scene, initial)?;
+        let arriving = measurements::of_run(scene, source, run);
+        Ok(Self { navigator, arriving, next: 0, taken: 0, rate_hz: scene.rate_hz })
+    }
+
+    /// Takes the measurements that have arrived by the end of the next sample, and the sample.
+    pub fn push(&mut self, sample: &Increment<f64>) -> Result<(), AidedFault> {
+        self.taken += 1;
+        let now_s = self.taken as f64 / self.rate_hz;
+        // A millionth of a sample for times that are no whole numbers.
+        while let Some((_, measured)) = self
+            .arriving
+            .get(self.next)
+            .filter(|(arrives_s, _)| *arrives_s <= now_s + 1e-6 / self.rate_hz)
+        {
+            self.next += 1;
+            self.navigator.measure(measured)?;
+        }
+        self.navigator.push(sample)
+    }
+
+    /// Takes what waits: the samples are at their end.
+    pub fn finish(&mut self) -> Result<(), AidedFault> {
+        self.navigator.finish()
+    }
+
+    /// The navigator.
+    pub fn navigator(&self) -> &dyn Aids {
+        self.navigator.as_ref()
+    }
+
+    /// What became of the measurements.
+    pub fn report(&self) -> Report {
+        self.navigator.report()
+    }
+}

@@ -1,0 +1,108 @@
+//! An aided navigator as the vehicle of a run.
+
+use super::{Refused, Vehicle, nine};
+use crate::aided::report::Report;
+use crate::aided::vehicle::AidedVehicle;
+use crate::flight::Nine;
+use crate::navigator::{Navigate, Reader};
+use schuler::aiding::aided::fault::AidedFault;
+use schuler::drift::compare::Drift;
+use schuler::math::vector::Vector;
+use schuler::sample::Increment;
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+
+/// What an aided navigator says of itself, for whoever reads its rows.
+#[derive(Clone, Default)]
+pub struct Claims {
+    /// Standard deviations of its drift at the last row.
+    pub sigma: Rc<Cell<Nine>>,
+    /// What became of the measurements, once it has ended.
+    pub report: Rc<RefCell<Option<Report>>>,
+}
+
+/// An aided navigator.
+pub struct Riding {
+    vehicle: AidedVehicle,
+    /// The same unaided, whose time is taken.
+    unaided: Box<dyn Navigate>,
+    claims: Claims,
+}
+
+impl Riding {
+    /// With one that is not aided, whose time is taken.
+    pub fn new(vehicle: AidedVehicle, unaided: Box<dyn Navigate>, claims: Claims) -> Self {
+        let riding = Self { vehicle, unaided, claims };
+        riding.claim();
+        riding
+    }
+
+    /// Says what its drift is.
+    fn claim(&self) {
+        let covariance = self.vehicle.navigator().covariance();
+        let sigma = |i: usize| covariance[i][i].max(0.0).sqrt();
+        let three = |i: usize| Vector::new(sigma(i), sigma(i + 1), sigma(i + 2));
+        self.claims.sigma.set(nine(&Drift {
+            position_ned: three(0),
+            velocity_ned: three(3),
+            attitude_ned: three(6),
+        }));
+    }
+
+    /// Reads the row of a block that has ended since.
+    fn read(&self, before: u64, read: &mut Reader) {
+        let navigator = self.vehicle.navigator();
+        if navigator.integrated() != before {
+            self.claim();
+            read(navigator.integrated(), &navigator.solution());
+        }
+    }
+}
+
+impl From<AidedFault> for Refused {
+    fn from(fault: AidedFault) -> Self {
+        match fault {
+            AidedFault::Rejected(why) => Self::Rejected(why),
+            other => Self::Aiding(other),
+        }
+    }
+}
+
+impl Vehicle for Riding {
+    fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Refused> {
+        let before = self.integrated();
+        self.vehicle.push(sample)?;
+        self.read(before, read);
+        Ok(())
+    }
+
+    fn hold_vertical(&mut self, _: f64, _: f64) -> Result<(), Refused> {
+        // A scene that is aided holds nothing.
+        Ok(())
+    }
+
+    fn finish(&mut self, read: &mut Reader) -> Result<(), Refused> {
+        let before = self.integrated();
+        self.vehicle.finish()?;
+        self.read(before, read);
+        *self.claims.report.borrow_mut() = Some(self.vehicle.report());
+        Ok(())
+    }
+
+    fn break_off(&mut self, read: &mut Reader) {
+        // What ended the run is told; this is what came before it.
+        let _ = self.finish(read);
+    }
+
+    fn integrated(&self) -> u64 {
+        self.vehicle.navigator().integrated()
+    }
+
+    fn digest(&self) -> u64 {
+        self.vehicle.navigator().digest()
+    }
+
+    fn navigator(&self) -> &dyn Navigate {
+        self.unaided.as_ref()
+    }
+}

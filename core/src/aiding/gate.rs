@@ -31,6 +31,7 @@ pub struct Rows<R, const N: usize, const M: usize> {
 
 /// What became of a vector.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Judged<R: Real, const N: usize> {
     /// The estimated errors; 0 if it was refused.
     pub errors: [R; N],

@@ -66,6 +66,7 @@ const AHEAD: u64 = 4096;
 /// An aided navigator by a mechanization: configuration. Its filter has `N` = 15 + `E` states and `P` = N(N + 1)/2
 /// numbers of covariance; `L` steps are remembered, `Q` measurements may wait.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Aided<
     M: Mechanization,
     const N: usize,

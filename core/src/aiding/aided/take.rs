@@ -43,7 +43,7 @@ where
         let ahead = (state.stretch.time_s > R::ZERO).then(|| self.ahead(state));
         let mut filter = ahead.as_ref().map_or(state.filter, |ahead| ahead.filter);
         let solution = self.solution(state);
-        let locality = { state.reference }.follow(&solution.position);
+        let locality = state.reference.locality(&solution.position);
         let late = self.places.latency.and_then(|state| filter.extras().get(state - FIRST_EXTRA));
         let late = late.copied().unwrap_or(R::ZERO) / self.interval.hi;
         let at = measured.at.shifted(-late);

@@ -31,7 +31,7 @@ pub struct Count {
     pub refused: u32,
     /// Lockouts.
     pub lockouts: u32,
-    /// Components of the vectors taken.
+    /// Components of the vectors taken since the heading was found.
     pub degrees: u32,
     /// Σ NIS of them.
     pub nis: f64,
@@ -83,13 +83,17 @@ impl Report {
         lockouts: [u32; 5],
         transport: Transport,
     ) -> Self {
+        let settled_s = restarts_s.last().copied().unwrap_or(f64::NEG_INFINITY);
         let sensors = Sensor::ALL.into_iter().zip(lockouts).filter_map(|(sensor, lockouts)| {
             let mut count = Count { sensor: name(sensor), lockouts, ..Count::default() };
             for one in judged.iter().filter(|one| one.kind.sensor() == sensor) {
                 if one.accepted {
                     count.accepted += 1;
-                    count.degrees += one.kind.degrees();
-                    count.nis += one.nis;
+                    // While a heading is looked for, what is accepted need not fit.
+                    if one.time_s > settled_s {
+                        count.degrees += one.kind.degrees();
+                        count.nis += one.nis;
+                    }
                 } else {
                     count.refused += 1;
                 }

@@ -168,6 +168,100 @@ class Bits(unittest.TestCase):
         self.assertEqual(printed, f"{found}\nwritten to {self.folder}\n")
         # Each names the command line that it was made by.
         pages = (found.report(), (self.folder / "allan.html").read_text())
+        mine, told = (re.sub("<code>.*?</code>", "", page, count=1) for page in pages)
+        self.assertEqual(mine, told)
+
+    def test_rows_of_a_run(self) -> None:
+        done("run", "paper", "--duration", 60, "--rows", "--no-report", "--every", 7, "--out", self.folder)
+        flight = schuler.run("paper", duration=60, every=7)
+        assert_same(flight.nav, self.folder / "nav.csv")
+        assert_same(flight.truth, self.folder / "truth.csv")
+        assert_same(flight.drift, self.folder / "drift.csv")
+
+    def test_emulated_samples_and_their_replay(self) -> None:
+        imu, nav, truth = (self.folder / name for name in ("imu.csv", "nav.csv", "truth.csv"))
+        done("emulate", "drive", "--duration", 30, "--out", imu, "--truth", truth)
+        data = schuler.emulate("drive", duration=30)
+        assert_same(data.imu, imu)
+        assert_same(data.truth, truth)
+        initial = self.folder / "initial.toml"
+        self.assertEqual(schuler.State.read(initial).as_dict(), data.initial.as_dict())
+        done("replay", "--imu", imu, "--initial", initial, "--reference", truth, "--out", f"{self.folder}/again/")
+        told = summary(self.folder / "again")
+        for source in (imu, data.imu, data.imu.array):
+            for start in (initial, data.initial, data.initial.as_dict()):
+                replay = schuler.replay(source, start, reference=truth)
+                self.assertEqual(replay.digest, told["digest"])
+                assert_same(replay.nav, self.folder / "again/nav.csv")
+        told_of_array = replay.summary
+        assert told_of_array is not None
+        self.assertEqual(told_of_array["error"], told["error"])
+        self.assertIn("<svg", replay.report() or "")
+
+    def test_a_navigator_fed_by_hand(self) -> None:
+        data = schuler.emulate("manoeuvre", duration=10)
+        start = data.initial.as_dict()
+        for name in ("f64 local-level taylor 2,4,2", "f32 earth-fixed taylor 0,4,0", "f32x2 local-level taylor 2,4,2"):
+            precision, frame, algorithm, window = name.split()
+            whole = schuler.Navigator(start, 100, name=name)
+            rows = whole.fly(data.imu)
+            last = whole.finish()
+            by_program = schuler.replay(
+                data.imu, start, precision=precision, frame=frame, algorithm=algorithm, window=window  # type: ignore[arg-type]
+            )
+            self.assertEqual(whole.digest, by_program.digest)
+            flown = [dict(zip(rows.columns, row, strict=True)) for row in rows.array.tolist()]
+            flown += [row.as_dict() for row in last]
+            told = by_program.nav
+            self.assertEqual(flown, [dict(zip(told.columns, row, strict=True)) for row in told.array.tolist()])
+            single = schuler.Navigator(start, 100, name=name)
+            by_hand = [row for sample in data.imu.array[:, 1:] for row in single.push(sample[:3], sample[3:])]
+            single.finish()
+            self.assertEqual((single.digest, single.state, len(by_hand)), (whole.digest, whole.state, len(rows)))
+
+    def test_intervals_of_their_own(self) -> None:
+        data = schuler.emulate("manoeuvre", duration=5, perfect=True)
+        samples, nominal = data.imu.array[:, 1:], np.full(500, 0.01)
+        even, told = (schuler.Navigator(data.initial, 100, window=(2, 4, 2)) for _ in range(2))
+        even.fly(samples)
+        told.fly(samples, nominal)
+        self.assertEqual(even.digest, told.digest)
+        # Every second sample and the one after it in one.
+        merged = schuler.Navigator(data.initial, 100, window="2,4,2")
+        pairs = np.concatenate([samples[:100], samples[100:].reshape(-1, 2, 6).sum(axis=1)])
+        rows = merged.fly(pairs, np.repeat([0.01, 0.02], [100, 200]))
+        at = np.rint(rows["time_s"] * 100).astype(int)
+        np.testing.assert_allclose(rows["time_s"], at / 100, rtol=1e-12)
+        np.testing.assert_allclose(rows["altitude_m"], data.truth["altitude_m"][at], atol=1e-3)
+
+    def test_an_ensemble(self) -> None:
+        runs = schuler.ensemble("paper", runs=8, duration=120, threads=2, at=4)
+        flight = schuler.run("paper", duration=120)
+        self.assertEqual(runs.drift.shape, (4, 8, 9))
+        np.testing.assert_array_equal(runs.drift[-1, 0], flight.drift.array[-1, 1:10])
+        np.testing.assert_allclose(runs.mean, runs.drift.mean(axis=1), rtol=1e-9, atol=1e-12)
+        np.testing.assert_allclose(runs.sigma, runs.drift.std(axis=1, ddof=1), rtol=1e-9, atol=1e-12)
+        last = flight.drift.array[-1]
+        np.testing.assert_allclose(runs.sigma_theory[-1], last[19:28], rtol=1e-9)
+        np.testing.assert_allclose(runs.sigma**2, np.diagonal(runs.covariance, axis1=1, axis2=2), rtol=1e-9)
+        np.testing.assert_allclose(np.cov(runs.drift[-1].T), runs.covariance[-1], rtol=1e-6, atol=1e-12)
+        done("ensemble", "paper", "--runs", 8, "--duration", 120, "--at", 4, "--out", self.folder)
+        told = json.loads((self.folder / "ensemble.json").read_text())
+        mine = runs.summary
+        self.assertEqual((mine["final"], mine["tests"], mine["verdict"]), (told["final"], told["tests"], told["verdict"]))
+        self.assertEqual(runs.report(), (self.folder / "ensemble.html").read_text())
+        assert_same(runs.accuracy, self.folder / "accuracy.csv")
+        times = schuler.ensemble("paper", runs=4, duration=120, at=[30, 60]).time_s
+        np.testing.assert_allclose(times, [30, 60, 120], atol=0.2)
+        single = schuler.ensemble("paper", runs=8, duration=120, threads=1, at=4)
+        np.testing.assert_array_equal(single.drift, runs.drift)
+
+    def test_allan_deviation_and_data_sheets(self) -> None:
+        printed = done("allan", "paper", "--duration", 3600, "--out", self.folder)
+        found = schuler.allan("paper", duration=3600)
+        self.assertEqual(printed, f"{found}\nwritten to {self.folder}\n")
+        # Each names the command line that it was made by.
+        pages = (found.report(), (self.folder / "allan.html").read_text())
         mine, told = (re.sub(r"schuler allan [^<]*|[^<>]*unittest[^<]*", "", page) for page in pages)
         self.assertEqual(mine, told)
         self.assertEqual(found.sections, tomllib.loads((self.folder / "sensors.toml").read_text()))

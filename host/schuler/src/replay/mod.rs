@@ -17,16 +17,18 @@ mod table;
 
 use crate::cli::{Height, ReplayArgs};
 use crate::report::sensors::Sensors;
+use crate::report::traces::Traces;
 use comparison::Has;
 use files::ReportFiles;
 use fly::Orders;
 use places::Places;
 use schuler::flight::plan;
+use schuler::solution::Solution;
 use schuler_simulator::flight::Instant;
 use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::number::parameter;
-use schuler_simulator::output::say;
+use schuler_simulator::output::{self, OutputFile, say};
 use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::NavigationRow;
 use schuler_simulator::recording::reference::Reference;
@@ -40,11 +42,42 @@ use summary::About;
 /// Navigates a recording and writes `nav.csv`, a row per sample or fewer. Prints what its stamps say, what
 /// was aligned to, and where the vehicle ends up.
 ///
-/// The recording is gone through twice, once to look and once to navigate (once more for a report's page), and never held in memory; the rows
-/// are, where there is a reference to compare them with.
+/// The recording is gone through twice, once to look and once to navigate (once more for a report's page), and never
+/// held in memory; the rows are, where there is a reference to compare them with.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
     let recording = Recording::open_as(&name_of(&args.imu), &args.given())?;
+    let Replayed { text, files, .. } = fly(args, &recording, false)?;
+    output::place(files, &[])?;
+    let places = Places::new(&args.out, args.reference.is_some());
+    let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
+    let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
+    let nav = places.nav.display();
+    let [report, messages] = [report, messages].map(Option::unwrap_or_default);
+    say(&format!("{text}written to {nav}{messages}{report}\n"))?;
+    Ok(())
+}
+
+/// A replay that has reached its end.
+pub struct Replayed {
+    /// What is said of its end.
+    pub text: String,
+    /// Where it started, at a time, s.
+    pub start: (f64, Solution<f64>),
+    /// Digest of every state.
+    pub digest: u64,
+    /// The window.
+    pub window: Option<WindowShape>,
+    /// The rows of `nav.csv`, where they are wanted.
+    pub rows: Vec<NavigationRow>,
+    /// `summary.json` and `report.html`, where it is compared and its rows are wanted.
+    pub report: Option<[String; 2]>,
+    /// Every file, not in its place yet.
+    pub files: Vec<OutputFile>,
+}
+
+/// Flies a recording. Its rows are wanted in memory, too, where `keep` says so.
+pub fn fly(args: &ReplayArgs, recording: &Recording, keep: bool) -> Result<Replayed, FlightError> {
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     args.handling.apply(&mut options);
@@ -52,17 +85,17 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     let reference =
         args.reference.as_ref().map(|file| Reference::open(&name_of(file), recording.scale));
     let reference = reference.transpose()?;
-    let (initial, args) = &initial::initial(args, &recording)?;
+    let (initial, args) = &initial::initial(args, recording)?;
 
     let measured = spans::about(args, initial);
-    let survey = Survey::of(&recording, args.rate.map(|rate_hz| 1.0 / rate_hz), measured)?;
+    let survey = Survey::of(recording, args.rate.map(|rate_hz| 1.0 / rate_hz), measured)?;
     let spans = spans::Spans::new(args, &survey, initial)?;
     let end_s = spans.until_s.min(survey.end_s);
     if let Some(reference) = &reference {
         comparison::check(reference, spans.navigate_s, end_s)?;
     }
     let shape = shape(&options, &survey);
-    for line in survey.said(&recording) {
+    for line in survey.said(recording) {
         say(&format!("{line}\n"))?;
     }
     if options.algorithm == Algorithm::Taylor {
@@ -75,30 +108,37 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     let places = Places::new(&args.out, reference.is_some());
     let has =
         reference.as_ref().map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
-    let files = has.map(|has| ReportFiles::create(&places, has, spans.navigate_s));
+    let files = has.map(|has| ReportFiles::create(&places, has));
     let mut files = files.transpose()?.flatten();
-    let orders = Orders { args, options, shape, heights, nav: &places.nav };
-    let mut flight = fly::fly(&recording, &survey, &spans, initial, &orders)?;
+    let orders = Orders { args, options, shape, heights, nav: &places.nav, keep };
+    let mut flight = fly::fly(recording, &survey, &spans, initial, &orders)?;
     let mut text = report::text(&flight, &spans, args.align.is_some());
-    let mut filled = Vec::new();
+    let (mut filled, mut report) = (Vec::new(), None);
     if let (Some(reference), Some(track)) = (&reference, flight.track.take()) {
-        let mut row = |instant: &Instant| files.as_mut().map_or(Ok(()), |files| files.row(instant));
+        let mut traces = Traces::default();
+        let mut row = |instant: &Instant| {
+            traces.row(&Instant { time_s: instant.time_s - spans.navigate_s, ..*instant });
+            files.as_mut().map_or(Ok(()), |files| files.row(instant))
+        };
         let comparison = comparison::compare(&track, reference, args.lag, &mut row)?;
         let (imu, rate_hz) = (recording.name.as_str(), 1.0 / survey.clock.interval_s());
         let about = About { imu, rate_hz, options: &orders.options, shape, spans: &spans };
         text += &table::table(&comparison);
-        if let Some(files) = files {
-            let sensors = read(&recording, &survey, [spans.navigate_s, flight.last.0])?;
-            filled = files.fill(&flight, &comparison, &about, &sensors)?;
+        if keep || files.is_some() {
+            let sensors = read(recording, &survey, [spans.navigate_s, flight.last.0])?;
+            let shown = (&traces, &sensors);
+            report = keep.then(|| {
+                let summary = summary::json(&flight, &comparison, &about, &[]);
+                [summary, page::page(&flight, &comparison, &about, shown)]
+            });
+            let files = files.map(|files| files.fill(&flight, &comparison, &about, shown));
+            filled = files.transpose()?.unwrap_or_default();
         }
     }
-    files::place(flight.nav, filled)?;
-    let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
-    let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
-    let nav = places.nav.display();
-    let [report, messages] = [report, messages].map(Option::unwrap_or_default);
-    say(&format!("{text}written to {nav}{messages}{report}\n"))?;
-    Ok(())
+    let window = (orders.options.algorithm == Algorithm::Taylor).then_some(shape);
+    let start = (spans.navigate_s, flight.start);
+    let files = flight.nav.into_iter().chain(filled).collect();
+    Ok(Replayed { text, start, digest: flight.digest, window, rows: flight.rows, report, files })
 }
 
 /// What the sensors put out from one time to another, s: the recording read once more.

@@ -139,7 +139,7 @@ impl FlightFiles {
 }
 
 /// The covariance of north and east that theory expects at the end, m²; none where that has ended.
-fn end_covariance(flight: &Flight) -> Option<[[f64; 2]; 2]> {
+pub fn end_covariance(flight: &Flight) -> Option<[[f64; 2]; 2]> {
     let is_known = flight.last.sigma.position_m.iter().all(|sigma| sigma.is_finite());
     let theory = Theory::new(&flight.scene).ok().filter(|_| is_known);
     let covariance = theory?.covariance(flight.last.time_s);

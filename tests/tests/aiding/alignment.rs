@@ -5,6 +5,7 @@ use schuler::aiding::alignment::base::Base;
 use schuler::aiding::alignment::fine::Fine15;
 use schuler::aiding::alignment::verdict::AlignmentFault;
 use schuler::aiding::surroundings::Surroundings;
+use schuler::math::real::{Real, Scalar};
 use schuler::prelude::*;
 use schuler::units::DEGREE;
 
@@ -105,31 +106,20 @@ fn a_swaying_vehicle_is_aligned_by_a_resonator() {
     assert!(sigma < 4.3, "{sigma}′");
 }
 
-#[test]
-fn single_precision_claims_what_double_does() {
+/// A vehicle at rest, aligned in some precision.
+fn at_rest<R: Scalar + Real<Mask = bool>>() -> Vec<Read> {
     let motion = Motion::Still;
     let (perfect, truth) = motion.perfect(60.0);
     let samples = read(&perfect, motion.rate_hz(), 0, &SENSORS);
     let first = Euler::from_quaternion(truth[0]);
-    let times = [20.0, 60.0];
-    let double = align::<f64, _, 15, 120, 0>(
-        Navigator4::from_rate_hz(motion.rate_hz()).unwrap(),
-        motion,
-        &samples,
-        &truth,
-        first,
-        settings(Base::still(), 0.01, 0.09, 1e-3),
-        &times,
-    );
-    let single = align::<f32, _, 15, 120, 0>(
-        Navigator4::from_rate_hz(motion.rate_hz()).unwrap(),
-        motion,
-        &samples,
-        &truth,
-        first,
-        settings(Base::still(), 0.01, 0.09, 1e-3),
-        &times,
-    );
+    let navigator = Navigator4::<R>::from_rate_hz(motion.rate_hz()).unwrap();
+    let settings = settings(Base::still(), 0.01, 0.09, 1e-3);
+    align::<R, _, 15, 120, 0>(navigator, motion, &samples, &truth, first, settings, &[20.0, 60.0])
+}
+
+#[test]
+fn single_precision_claims_what_double_does() {
+    let (single, double) = (at_rest::<f32>(), at_rest::<f64>());
     for (one, other) in single.iter().zip(&double) {
         for axis in 0..3 {
             let apart = (one.sigma[axis] / other.sigma[axis] - 1.0).abs();

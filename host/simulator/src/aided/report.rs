@@ -1,9 +1,9 @@
 //! What became of a run's measurements.
 
+use crate::quadratic::by_chance;
 use schuler::aiding::aided::measured::{Kind, Sensor};
 use schuler::aiding::aided::tally::Transport;
 use serde::Serialize;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// A measurement that was judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,9 +41,7 @@ impl Count {
     /// Σ NIS by what it should be, and where 95 % of such sums lie; `None` without measurements.
     pub fn consistency(&self) -> Option<(f64, [f64; 2])> {
         let freedom = f64::from(self.degrees);
-        let law = ChiSquared::new(freedom).ok().filter(|_| self.degrees > 0)?;
-        let expected = [0.025, 0.975].map(|part| law.inverse_cdf(part) / freedom);
-        Some((self.nis / freedom, expected))
+        (self.degrees > 0).then(|| (self.nis / freedom, by_chance(freedom)))
     }
 }
 

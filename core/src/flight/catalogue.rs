@@ -17,7 +17,6 @@ use super::configuration::{Algorithm, Axes, Configuration, Precision};
 use crate::math::compensated::{Pair, TwoFloat};
 use crate::math::real::Scalar;
 use crate::record::Record;
-use crate::strapdown::block::unequal::Unequal;
 use crate::strapdown::block::window::*;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::earth_fixed::EarthFixed;
@@ -25,6 +24,7 @@ use crate::strapdown::frame::local_level::LocalLevel;
 use crate::strapdown::limits::StartError;
 use crate::strapdown::mechanization::{Mechanization, UnequalIntervals};
 use crate::strapdown::navigator::Strapdown;
+use crate::strapdown::navigator::selected::Selected;
 use crate::strapdown::reference::textbook::{
     EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
 };
@@ -38,11 +38,23 @@ pub trait Entry:
 {
     /// Its name.
     const CONFIGURATION: Configuration;
-    /// The same mechanization for samples of any length.
-    type AnyInterval: Entry<Real = Self::Real> + UnequalIntervals;
+    /// A mechanization with the same bits for samples of any length, of one type for all windows.
+    type AnyInterval: UnequalIntervals<
+            Real = Self::Real,
+            Frame = Self::Frame,
+            Output = Self::Output,
+            Body = Self::Body,
+        > + Copy
+        + Send
+        + 'static;
 
     /// For samples of an interval in seconds, with a series of at most this order.
     fn configured(interval_s: Pair<Self::Real>, order: usize) -> Result<Self, StartError>;
+    /// The same for samples of any length.
+    fn any_interval(
+        interval_s: Pair<Self::Real>,
+        order: usize,
+    ) -> Result<Self::AnyInterval, StartError>;
 }
 
 /// A frame by name.
@@ -99,10 +111,14 @@ where
         algorithm: Algorithm::Taylor,
         window: W::SHAPE,
     };
-    type AnyInterval = Strapdown<F, Unequal<W>>;
+    type AnyInterval = Selected<F>;
 
     fn configured(interval_s: Pair<F::Real>, order: usize) -> Result<Self, StartError> {
         Ok(Self::new(interval_s)?.with_order(order))
+    }
+
+    fn any_interval(interval_s: Pair<F::Real>, order: usize) -> Result<Selected<F>, StartError> {
+        Ok(Selected::new(interval_s, W::any())?.with_order(order))
     }
 }
 
@@ -120,6 +136,10 @@ where
 
     fn configured(interval_s: Pair<F::Real>, _: usize) -> Result<Self, StartError> {
         Self::new(interval_s.hi)
+    }
+
+    fn any_interval(interval_s: Pair<F::Real>, order: usize) -> Result<Self, StartError> {
+        Self::configured(interval_s, order)
     }
 }
 

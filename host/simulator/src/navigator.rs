@@ -110,7 +110,7 @@ impl Visitor for Start<'_> {
 
     fn visit<M: Entry>(self) -> Self::Result {
         let interval_s = Pair::narrow(self.interval_s);
-        let mechanization = M::AnyInterval::configured(interval_s, self.order)?;
+        let mechanization = M::any_interval(interval_s, self.order)?;
         Ok(Flying::boxed(mechanization, interval_s, self.initial)?)
     }
 }

@@ -22,14 +22,25 @@ pub trait Intervals<R: Real>: Copy + Send {
     fn nominal() -> Self;
     /// The stored samples' intervals less the nominal one, s; empty if all are nominal.
     fn excess(&self) -> &[R];
-    /// The same, to write.
-    fn excess_mut(&mut self) -> &mut [R];
     /// An interval less the nominal one, rounded; the remainder is carried to the next one.
     fn rounded(&mut self, excess_s: Pair<R>) -> R;
-    /// Duration of the block that the gravity history belongs to, s; 0 if its number of samples determines it.
-    fn history_s(&self) -> R;
-    /// Sets it.
-    fn set_history(&mut self, time_s: R);
+    /// The same to write, with the duration of the block that the gravity history belongs to, s, which is 0 if
+    /// its number of samples determines it. `None` if all are nominal.
+    fn kept_mut(&mut self) -> Option<(&mut [R], &mut R)>;
+    /// What is stored of a sample's interval: 0 if it is the nominal one, whose remainder is not used then.
+    #[inline]
+    fn over(&mut self, interval_s: Pair<R>, nominal_s: Pair<R>) -> R {
+        let excess = interval_s - nominal_s;
+        let nominal = excess.hi.is_within(R::ZERO) & excess.lo.is_within(R::ZERO);
+        if nominal { R::ZERO } else { self.rounded(excess) }
+    }
+    /// The gravity history belongs to another path.
+    #[inline]
+    fn forget_history(&mut self) {
+        if let Some((_, history_s)) = self.kept_mut() {
+            *history_s = R::ZERO;
+        }
+    }
     /// Reads the stored numbers, as [`Record::record`] does.
     fn record_kept(&self, read: &mut impl FnMut(&'static str, u64))
     where
@@ -55,19 +66,13 @@ impl<R: Real> Intervals<R> for Nominal {
         &[]
     }
     #[inline(always)]
-    fn excess_mut(&mut self) -> &mut [R] {
-        &mut []
-    }
-    #[inline(always)]
     fn rounded(&mut self, _: Pair<R>) -> R {
         R::ZERO
     }
     #[inline(always)]
-    fn history_s(&self) -> R {
-        R::ZERO
+    fn kept_mut(&mut self) -> Option<(&mut [R], &mut R)> {
+        None
     }
-    #[inline(always)]
-    fn set_history(&mut self, _: R) {}
     #[inline(always)]
     fn record_kept(&self, _: &mut impl FnMut(&'static str, u64)) {}
     #[inline(always)]
@@ -92,10 +97,6 @@ impl<R: Real, const N: usize> Intervals<R> for Kept<R, [R; N]> {
     fn excess(&self) -> &[R] {
         &self.excess
     }
-    #[inline(always)]
-    fn excess_mut(&mut self) -> &mut [R] {
-        &mut self.excess
-    }
     #[inline]
     fn rounded(&mut self, excess_s: Pair<R>) -> R {
         let exact = Pair::sum(excess_s.hi, excess_s.lo + self.rest);
@@ -103,12 +104,8 @@ impl<R: Real, const N: usize> Intervals<R> for Kept<R, [R; N]> {
         exact.hi
     }
     #[inline(always)]
-    fn history_s(&self) -> R {
-        self.history_s
-    }
-    #[inline(always)]
-    fn set_history(&mut self, time_s: R) {
-        self.history_s = time_s;
+    fn kept_mut(&mut self) -> Option<(&mut [R], &mut R)> {
+        Some((&mut self.excess, &mut self.history_s))
     }
     #[inline]
     fn record_kept(&self, read: &mut impl FnMut(&'static str, u64))

@@ -10,12 +10,14 @@
 //! | [`body`] | the block's motion: rotation, u = ∫Cf, s = ∬Cf, ∫s |
 //! | [`inside`] | the same up to a row within the block |
 //! | `alike` | a correction that makes all samples count alike, wherever they lie in a block |
+//! | [`any_window`] | a window as a value, for a navigator whose window is chosen at run time |
 //! | [`unequal`], [`intervals`], `abscissae` | samples of unequal intervals |
 //! | [`newton`], `behind`, `support`, `gain` | blocks at the ends of a stream, and windows without look-ahead: as many samples as the motion supports |
 
 pub(crate) mod abscissae;
 #[doc(hidden)]
 pub mod alike;
+pub mod any_window;
 #[doc(hidden)]
 pub mod behind;
 pub mod body;

@@ -12,6 +12,7 @@
 //! assert_eq!(Unequal::<H2B4A2>::SHAPE, H2B4A2::SHAPE);
 //! ```
 
+use super::any_window::AnyWindow;
 use super::body::BodyMotion;
 use super::window::{Behind, Window};
 use crate::math::real::Real;
@@ -29,6 +30,7 @@ impl<W: Window> Window for Unequal<W> {
     const BESIDE: usize = W::BESIDE;
     const COEFFICIENTS: usize = W::COEFFICIENTS;
     const TERMS: usize = W::TERMS;
+    const STORED: usize = W::STORED;
     const UNEQUAL: bool = true;
     type Samples<T: Copy + Send> = W::Samples<T>;
     type Series<R: Real> = W::Series<R>;
@@ -40,8 +42,7 @@ impl<W: Window> Window for Unequal<W> {
         W::samples(fill)
     }
 
-    // One copy of the code for all frames and readers, here and below.
-    #[inline(never)]
+    #[inline(always)]
     fn integrate_behind<R: Real>(
         seen: &[Increment<R>],
         half_time_s: R,
@@ -51,7 +52,7 @@ impl<W: Window> Window for Unequal<W> {
         W::integrate_behind(seen, half_time_s, order, two_float)
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn integrate<R: Real>(
         samples: &[Increment<R>],
         half_time_s: R,
@@ -59,5 +60,11 @@ impl<W: Window> Window for Unequal<W> {
         two_float: bool,
     ) -> Option<(BodyMotion<R>, Self::Series<R>)> {
         W::integrate(samples, half_time_s, order, two_float)
+    }
+
+    // One copy of the code for both.
+    #[inline]
+    fn any<R: Real>() -> AnyWindow<R> {
+        W::any()
     }
 }

@@ -15,6 +15,7 @@
 #![doc = include_str!("WINDOWS.md")]
 
 use super::alike;
+use super::any_window::AnyWindow;
 use super::behind;
 use super::body::{BodyMotion, Sum, integrate};
 use super::fit::LINE_LAST_SAMPLES;
@@ -54,6 +55,8 @@ pub trait Window: Copy + Default + Send + 'static {
     const COEFFICIENTS: usize;
     /// Order of the series at most: for the fastest motion.
     const TERMS: usize;
+    /// Samples that there is room for.
+    const STORED: usize;
 
     /// Room for the samples that a block, or the end of a stream, can need.
     type Samples<T: Copy + Send>: Copy + Send + AsRef<[T]> + AsMut<[T]>;
@@ -86,6 +89,12 @@ pub trait Window: Copy + Default + Send + 'static {
         order: usize,
         two_float: bool,
     ) -> Option<Behind<R, Self::Series<R>>>;
+
+    /// The window as a value.
+    #[inline]
+    fn any<R: Real>() -> AnyWindow<R> {
+        AnyWindow::of::<Self>()
+    }
 }
 
 /// The fit of a window's samples: the polynomial through all of them, or a line or parabola.
@@ -154,14 +163,15 @@ macro_rules! windows {
                 const BESIDE: usize = beside!($fit, $b);
                 const COEFFICIENTS: usize = $k;
                 const TERMS: usize = $m;
-                type Samples<T: Copy + Send> = [T; capacity($h, $b, $a, beside!($fit, $b))];
+                const STORED: usize = capacity($h, $b, $a, beside!($fit, $b));
+                type Samples<T: Copy + Send> = [T; Self::STORED];
                 type Series<R: Real> = Series<R, { $m + 1 }>;
                 type Intervals<R: Real> = Nominal;
-                type KeptIntervals<R: Real> = Kept<R, [R; capacity($h, $b, $a, beside!($fit, $b))]>;
+                type KeptIntervals<R: Real> = Kept<R, [R; Self::STORED]>;
 
                 #[inline]
                 fn samples<T: Copy + Send>(fill: T) -> Self::Samples<T> {
-                    [fill; capacity($h, $b, $a, beside!($fit, $b))]
+                    [fill; Self::STORED]
                 }
 
                 #[inline(always)]
@@ -297,3 +307,17 @@ windows! { $
     /// A parabola over forty samples: the cheapest.
     Parabola40 = 0, 40, 0, near 3, 6,;
 }
+
+/// Samples that there is room for in any window.
+pub const MOST_STORED: usize = {
+    macro_rules! most {
+        ($($window:ident),+) => {{
+            let mut most = 0;
+            $(if $window::STORED > most {
+                most = $window::STORED;
+            })+
+            most
+        }};
+    }
+    every_window! { most! }
+};

@@ -23,8 +23,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         correction.apply(&mut state.frame, F::correct)?;
         if correction.moves() {
             // The gravity history belongs to another path: the next block sets it up again.
-            state.seeded = 0;
-            state.intervals.set_history(R::ZERO);
+            state.progress.seeded = 0;
+            state.intervals.forget_history();
         }
         Ok(())
     }

@@ -2,12 +2,10 @@
 
 use super::edges;
 use super::rows::Read;
-use super::{State, Strapdown};
+use super::stream::Place;
 use crate::math::real::Real;
 use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::block::inside::{BlockSeries, Mirror};
-use crate::strapdown::block::intervals::Intervals as _;
-use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::block_time::BlockTime;
 
@@ -59,55 +57,63 @@ impl<R: Real> Crossing<'_, R> {
     }
 }
 
-/// Crosses a block: one copy of the code for all windows and readers of a frame.
-#[inline(never)]
-fn cross_any<F: Frame>(
-    frame: &mut F,
-    crossing: &Crossing<F::Real>,
-    series: &dyn BlockSeries<F::Real>,
-    read: &mut dyn Read<F>,
-) {
-    crossing.cross::<false, _, _>(frame, series, read);
-}
-
-impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
+impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Place<'_, F, UNEQUAL> {
     /// Crosses a block: sets up the gravity history if the block's length is new, steps, reads rows. `excess`
-    /// has the differences of its samples' intervals from the nominal one; it is empty if there are none.
+    /// has the differences of its samples' intervals from the nominal `interval`; it is empty if there are none.
     #[inline(always)]
-    pub(super) fn step<const EDGE: bool, Q: Read<F> + ?Sized>(
-        &self,
-        state: &mut State<F, W>,
+    pub fn step<const EDGE: bool, Q: Read<F> + ?Sized>(
+        &mut self,
         (time, excess): (&BlockTime<R>, &[R]),
+        interval: R,
         block: usize,
         body: &BodyMotion<R>,
         series: &impl BlockSeries<R>,
         read: &mut Q,
     ) {
-        let uneven = !excess.is_empty();
-        if W::UNEQUAL && (uneven || R::any(R::ZERO.less(state.intervals.history_s()))) {
-            self.adapt_history(state, time, body);
-            state.intervals.set_history(if uneven { time.time.hi } else { R::ZERO });
-            state.seeded = block;
-        } else if state.seeded != block {
-            state.frame.seed(time, body);
-            state.seeded = block;
-        }
-        let crossing = Crossing {
-            time,
-            block,
-            body,
-            interval: self.interval.hi,
-            excess,
-            integrated: state.integrated,
-        };
-        if W::UNEQUAL {
+        if UNEQUAL {
             let mut read = &mut *read;
-            cross_any(&mut state.frame, &crossing, series, &mut read);
-        } else {
-            crossing.cross::<EDGE, _, _>(&mut state.frame, series, read);
+            return self.step_any((time, excess), interval, block, body, series, &mut read);
         }
-        state.integrated += block as u64;
-        state.pending -= block;
-        read.block(state.integrated, body, &state.frame);
+        if self.progress.seeded != block {
+            self.frame.seed(time, body);
+            self.progress.seeded = block;
+        }
+        let integrated = self.progress.integrated;
+        let crossing = Crossing { time, block, body, interval, excess: &[], integrated };
+        crossing.cross::<EDGE, _, _>(self.frame, series, read);
+        self.moved(block, body, read);
+    }
+
+    /// The same, one copy of the code for all windows and readers of a frame.
+    #[inline(never)]
+    pub fn step_any(
+        &mut self,
+        (time, excess): (&BlockTime<R>, &[R]),
+        interval: R,
+        block: usize,
+        body: &BodyMotion<R>,
+        series: &dyn BlockSeries<R>,
+        read: &mut dyn Read<F>,
+    ) {
+        let uneven = !excess.is_empty();
+        if uneven || R::any(R::ZERO.less(*self.history_s)) {
+            self.adapt_history(interval, time, body);
+            *self.history_s = if uneven { time.time.hi } else { R::ZERO };
+            self.progress.seeded = block;
+        } else if self.progress.seeded != block {
+            self.frame.seed(time, body);
+            self.progress.seeded = block;
+        }
+        let integrated = self.progress.integrated;
+        let crossing = Crossing { time, block, body, interval, excess, integrated };
+        crossing.cross::<false, _, _>(self.frame, series, read);
+        self.moved(block, body, read);
+    }
+
+    #[inline(always)]
+    fn moved<Q: Read<F> + ?Sized>(&mut self, block: usize, body: &BodyMotion<R>, read: &mut Q) {
+        self.progress.integrated += block as u64;
+        self.progress.pending -= block;
+        read.block(self.progress.integrated, body, self.frame);
     }
 }

@@ -4,16 +4,16 @@
 //! them use the longest series.
 
 use super::rows::Read;
-use super::{State, Strapdown};
+use super::stream::Stream;
 use crate::math::real::Real;
 use crate::sample::Increment;
+use crate::strapdown::block::any_window::Numbers;
 use crate::strapdown::block::body::{self, BodyMotion, Sum};
 use crate::strapdown::block::fit::LINE_LAST_SAMPLES;
 use crate::strapdown::block::fit::{Fit, MOST_SAMPLES};
 use crate::strapdown::block::newton::{self, Used};
 use crate::strapdown::block::series::Series;
 use crate::strapdown::block::shape::WindowShape;
-use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::block_time::BlockTime;
 
@@ -52,62 +52,58 @@ fn fit<R: Real>(
     newton::at_edge(samples, shape, begin)
 }
 
-impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
+impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Stream<'_, F, UNEQUAL> {
     /// A block of `block` samples within the window of at most `all` samples that starts `history`
     /// before it.
     #[inline(never)]
-    pub(crate) fn edge_block<Q: Read<F> + ?Sized>(
-        &self,
-        state: &mut State<F, W>,
+    pub fn edge_block<Q: Read<F> + ?Sized>(
+        &mut self,
         history: usize,
         block: usize,
         all: usize,
         read: &mut Q,
     ) {
-        if !self.is_nominal(state, history, all) {
-            let lookahead = all.saturating_sub(history + block);
-            return self.unequal_block(
-                state,
-                WindowShape { history, block, lookahead },
-                true,
-                read,
-            );
-        }
-        let past = state.filled.saturating_sub(state.pending);
-        let begin = past.saturating_sub(history);
-        let samples = state.samples;
-        let stored = samples.as_ref().get(..state.filled).unwrap_or(&[]);
-        let own = stored.get(past..past + block).unwrap_or(&[]);
         let lookahead = all.saturating_sub(history + block);
-        let time = BlockTime::new(self.interval, block);
-        let (fit, used) = fit(stored, WindowShape { history, block, lookahead }, begin);
-        let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::plain(own) };
-        if state.integrated == 0 && W::HISTORY > 0 {
-            state.edges.first = used;
+        let shape = WindowShape { history, block, lookahead };
+        if UNEQUAL && !self.is_nominal(history, all) {
+            return self.unequal_block(shape, true, read);
         }
-        if lookahead < W::LOOKAHEAD || W::LOOKAHEAD == 0 {
-            state.edges.last = used;
+        let progress = &mut *self.place.progress;
+        let past = progress.past();
+        let begin = past.saturating_sub(history);
+        let stored = self.samples.get(..progress.filled).unwrap_or(&[]);
+        let own = stored.get(past..past + block).unwrap_or(&[]);
+        let interval = self.timing.interval;
+        let time = BlockTime::new(interval, block);
+        let (fit, used) = fit(stored, shape, begin);
+        let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::plain(own) };
+        let window = self.window.shape;
+        if progress.integrated == 0 && window.history > 0 {
+            progress.edges.first = used;
+        }
+        if lookahead < window.lookahead || window.lookahead == 0 {
+            progress.edges.last = used;
         }
         let (body, series) = integrate(&fit, &sum, time.half);
-        self.step::<true, _>(state, (&time, &[]), block, &body, &series, read);
+        self.place.step::<true, _>((&time, &[]), interval.hi, block, &body, &series, read);
     }
 
     /// The last blocks: missing look-ahead is replaced by history.
     #[inline(never)]
-    pub(crate) fn last_blocks<Q: Read<F> + ?Sized>(&self, state: &mut State<F, W>, read: &mut Q) {
-        while state.pending > 0 {
-            let block = state.pending.min(W::BLOCK).min(LAST_BLOCK);
-            let most = if W::COEFFICIENTS < W::SAMPLES {
-                LINE_LAST_SAMPLES
-            } else {
-                W::SAMPLES.max(LAST_BLOCK)
-            };
+    pub fn last_blocks<Q: Read<F> + ?Sized>(&mut self, read: &mut Q) {
+        let &Numbers { shape, coefficients, .. } = self.window;
+        let samples = shape.samples();
+        while self.place.progress.pending > 0 {
+            let pending = self.place.progress.pending;
+            let block = pending.min(shape.block).min(LAST_BLOCK);
+            let most =
+                if coefficients < samples { LINE_LAST_SAMPLES } else { samples.max(LAST_BLOCK) };
             // As much history as look-ahead, if there are enough samples of both.
-            let (beside, after) = (most - block, state.pending - block);
-            let past = state.filled - state.pending;
+            let (beside, after) = (most - block, pending - block);
+            let past = self.place.progress.past();
             let history = past.min((beside / 2).max(beside.saturating_sub(after)));
             let lookahead = after.min(beside - history);
-            self.edge_block(state, history, block, history + block + lookahead, read);
+            self.edge_block(history, block, history + block + lookahead, read);
         }
     }
 }

@@ -81,10 +81,10 @@ impl<F: Frame, W: Window> Mechanization for Strapdown<F, W> {
         &state.frame
     }
     fn integrated(state: &State<F, W>) -> u64 {
-        state.integrated
+        state.progress.integrated
     }
     fn edges(state: &State<F, W>) -> Option<Edges<F::Real>> {
-        Some(state.edges)
+        Some(state.progress.edges)
     }
     fn output(&self, state: &State<F, W>) -> F::Output {
         state.output()

@@ -9,7 +9,9 @@
 //! | `crossing` | the step over a block, and the rows within it |
 //! | `edges` | the first and the last blocks of a stream |
 //! | `unequal` | blocks of samples of unequal intervals |
+//! | [`selected`] | a navigator whose window is chosen at run time |
 //! | `correct` | a running state corrected |
+//! | `stream` | the same without the type of the window |
 //! | `rows` | whether and by whom rows within a block are read |
 //! | `mechanization` | the navigator as a mechanization |
 //! | `check`, `stored` | a state as bytes, and its check |
@@ -43,7 +45,9 @@ mod crossing;
 mod edges;
 mod mechanization;
 mod rows;
+pub mod selected;
 mod stored;
+mod stream;
 mod take;
 mod unequal;
 
@@ -56,20 +60,18 @@ use crate::strapdown::block::intervals::Intervals as _;
 use crate::strapdown::block::newton::Edges;
 use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
-use crate::strapdown::frame::block_time::BlockTime;
 use crate::strapdown::gate::{Gate, admit_start, interval_of};
 use crate::strapdown::limits::{Limits, Rejected, StartError};
 use crate::strapdown::navigator::rows::{Blocks, Every, Unread};
+use crate::strapdown::navigator::stream::{Progress, Timing};
 use core::marker::PhantomData;
 
 /// Configuration of a strapdown navigator in frame `F` with window `W`.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Strapdown<F: Frame, W> {
-    interval: Pair<F::Real>,
-    block: BlockTime<F::Real>,
+    timing: Timing<F::Real>,
     gate: Gate<F::Real>,
-    order: usize,
     window: PhantomData<W>,
 }
 
@@ -78,17 +80,10 @@ pub struct Strapdown<F: Frame, W> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct State<F: Frame, W: Window> {
     pub(crate) frame: F,
-    /// The latest samples, of which the last `pending` are not integrated yet.
+    /// The latest samples, of which the last pending ones are not integrated yet.
     pub(crate) samples: W::Samples<Increment<F::Real>>,
-    pub(crate) filled: usize,
-    pub(crate) pending: usize,
-    /// Samples integrated since the start.
-    pub(crate) integrated: u64,
-    /// Samples of the block that the gravity history belongs to; 0 before the first.
-    pub(crate) seeded: usize,
+    pub(crate) progress: Progress<F::Real>,
     pub(crate) intervals: W::Intervals<F::Real>,
-    /// The number of samples that first and last blocks were fitted to.
-    pub(crate) edges: Edges<F::Real>,
 }
 
 impl<F: Frame, W: Window> State<F, W> {
@@ -99,12 +94,12 @@ impl<F: Frame, W: Window> State<F, W> {
 
     /// Samples integrated since the start: the index of the sample that `output` belongs to.
     pub fn integrated(&self) -> u64 {
-        self.integrated
+        self.progress.integrated
     }
 
     /// The number of samples that first and last blocks were fitted to.
     pub fn edges(&self) -> Edges<F::Real> {
-        self.edges
+        self.progress.edges
     }
 }
 
@@ -146,10 +141,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// [`StartError`] if the interval or a limit is out of range.
     pub fn with_limits(interval_s: Pair<R>, limits: Limits<R>) -> Result<Self, StartError> {
         Ok(Self {
-            interval: interval_s,
-            block: BlockTime::new(interval_s, W::BLOCK),
+            timing: Timing::new(interval_s, W::BLOCK, W::TERMS),
             gate: Gate::new(interval_s.hi + interval_s.lo, limits, W::BLOCK)?,
-            order: W::TERMS,
             window: PhantomData,
         })
     }
@@ -157,7 +150,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// With a series of the order that [`plan::order`](crate::flight::plan::order) finds sufficient, at most
     /// that of the window.
     pub fn with_order(self, order: usize) -> Self {
-        Self { order: order.clamp(1, W::TERMS), ..self }
+        let order = order.clamp(1, W::TERMS);
+        Self { timing: Timing { order, ..self.timing }, ..self }
     }
 
     /// Starts from an initial solution, whose attitude is brought to unit length.
@@ -172,12 +166,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         Ok(State {
             frame,
             samples: W::samples(Increment::ZERO),
-            filled: 0,
-            pending: 0,
-            integrated: 0,
-            seeded: 0,
+            progress: Progress::none(),
             intervals: W::Intervals::nominal(),
-            edges: Edges::none(),
         })
     }
 

@@ -10,6 +10,7 @@ use crate::strapdown::block::newton::Used;
 use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::navigator::State;
+use crate::strapdown::navigator::stream::Progress;
 
 impl<R: Record> Record for Increment<R> {
     record!(angle_b, velocity_b);
@@ -27,25 +28,24 @@ impl<R: Record> Record for Edges<R> {
     record!(first, last);
 }
 
+/// Its counts. The samples at the edges follow the intervals.
+impl<R> Record for Progress<R> {
+    record!(filled, pending, integrated, seeded);
+}
+
 impl<F: Frame<Real: Record> + Record, W: Window> Record for State<F, W> {
     fn record(&self, name: &'static str, read: &mut impl FnMut(&'static str, u64)) {
         self.frame.record(name, read);
         self.samples.as_ref().record("samples", read);
-        self.filled.record("filled", read);
-        self.pending.record("pending", read);
-        self.integrated.record("integrated", read);
-        self.seeded.record("seeded", read);
+        self.progress.record(name, read);
         self.intervals.record_kept(read);
-        self.edges.record("edges", read);
+        self.progress.edges.record("edges", read);
     }
     fn restore(&mut self, name: &'static str, write: &mut impl FnMut(&'static str, u64) -> u64) {
         self.frame.restore(name, write);
         self.samples.as_mut().restore("samples", write);
-        self.filled.restore("filled", write);
-        self.pending.restore("pending", write);
-        self.integrated.restore("integrated", write);
-        self.seeded.restore("seeded", write);
+        self.progress.restore(name, write);
         self.intervals.restore_kept(write);
-        self.edges.restore("edges", write);
+        self.progress.edges.restore("edges", write);
     }
 }

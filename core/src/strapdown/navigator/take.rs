@@ -1,9 +1,11 @@
 //! Samples in: they are stored, and whenever a window is full, a block is integrated.
 
 use super::rows::Read;
+use super::stream::{Place, Room, Stream, store};
 use super::{State, Strapdown};
 use crate::math::real::Real;
 use crate::sample::Increment;
+use crate::strapdown::block::any_window::Numbers;
 use crate::strapdown::block::intervals::Intervals as _;
 use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
@@ -18,108 +20,101 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         excess: R,
         read: &mut impl Read<F>,
     ) -> Result<(), Rejected> {
+        if W::UNEQUAL {
+            return self.take_any(state, sample, excess, read);
+        }
         // If a block ended at a place where navigation cannot continue, every following sample is refused.
-        if state.pending <= W::LOOKAHEAD {
+        if state.progress.pending <= W::LOOKAHEAD {
             state.frame.check_place()?;
         }
-        self.store(state, sample, excess);
-        let past = state.filled - state.pending;
-        if past < W::HISTORY && state.filled < W::FIRST {
-            return Ok(());
+        store(state.samples.as_mut(), &mut state.progress, W::BLOCK, sample);
+        let past = state.progress.past();
+        if past < W::HISTORY {
+            if state.progress.filled < W::FIRST {
+                return Ok(());
+            }
+            // The first block needs no history.
+            self.stream(state, &mut { R::ZERO }).edge_block(past, W::BLOCK, W::FIRST, read);
         }
-        if !W::UNEQUAL {
-            self.integrate_by(state, past, read);
-        } else if past < W::HISTORY || state.pending >= W::BLOCK + W::LOOKAHEAD {
-            self.integrate_any(state, past, read);
+        while state.progress.pending >= W::BLOCK + W::LOOKAHEAD {
+            self.whole_block(state, read);
         }
         Ok(())
     }
 
     /// One copy of the code for all readers.
     #[inline(never)]
-    fn integrate_any(&self, state: &mut State<F, W>, past: usize, read: &mut dyn Read<F>) {
-        self.integrate_by(state, past, read);
-    }
-
-    /// Integrates the blocks that are complete; the first one needs no history.
-    #[inline(always)]
-    fn integrate_by<Q: Read<F> + ?Sized>(
+    fn take_any(
         &self,
         state: &mut State<F, W>,
-        past: usize,
-        read: &mut Q,
-    ) {
-        if past < W::HISTORY {
-            self.edge_block(state, past, W::BLOCK, W::FIRST, read);
-        }
-        while state.pending >= W::BLOCK + W::LOOKAHEAD {
-            if W::UNEQUAL {
-                self.any_block(state, read);
-            } else {
-                self.whole_block(state, read);
-            }
-        }
+        sample: Increment<R>,
+        excess: R,
+        read: &mut dyn Read<F>,
+    ) -> Result<(), Rejected> {
+        let window = W::any();
+        let (frame, progress, timing) = (&mut state.frame, &mut state.progress, &self.timing);
+        let (samples, kept) = (state.samples.as_mut(), state.intervals.kept_mut());
+        // A window for samples of any length keeps their intervals.
+        kept.map_or(Ok(()), |(kept, history_s)| {
+            let room =
+                Room { frame, samples, excess: kept, progress, history_s, timing, window: &window };
+            room.take(sample, excess, read)
+        })
     }
 
+    /// Integrates all pending samples.
     pub(super) fn end(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
-        if W::UNEQUAL {
-            self.last_blocks::<dyn Read<F>>(state, read);
+        if let Some((kept, history_s)) = state.intervals.kept_mut() {
+            let window = W::any();
+            let (frame, progress, timing) = (&mut state.frame, &mut state.progress, &self.timing);
+            let samples = state.samples.as_mut();
+            let room =
+                Room { frame, samples, excess: kept, progress, history_s, timing, window: &window };
+            room.finish(read);
         } else {
-            self.last_blocks(state, read);
+            self.stream(state, &mut { R::ZERO }).last_blocks(read);
         }
     }
 
-    /// Stores a sample, dropping the oldest ones a block at a time.
+    /// A stream whose samples all last the nominal interval.
     #[inline(always)]
-    #[expect(
-        clippy::indexing_slicing,
-        reason = "the loop ends at the length, and a copy in one call takes longer"
-    )]
-    fn store(&self, state: &mut State<F, W>, sample: Increment<R>, excess: R) {
-        let samples = state.samples.as_mut();
-        let kept = state.intervals.excess_mut();
-        if state.filled >= samples.len() {
-            // After an early `finish`, more than a block's length may still be pending.
-            let drop = W::BLOCK.min(state.filled - state.pending);
-            for from in drop..samples.len() {
-                samples[from - drop] = samples[from];
-            }
-            if drop <= kept.len() {
-                kept.copy_within(drop.., 0);
-            }
-            state.filled = samples.len() - drop;
-        }
-        if let Some(slot) = samples.get_mut(state.filled) {
-            *slot = sample;
-            if let Some(slot) = kept.get_mut(state.filled) {
-                *slot = excess;
-            }
-            state.filled += 1;
-            state.pending += 1;
-        }
+    fn stream<'a>(
+        &'a self,
+        state: &'a mut State<F, W>,
+        history_s: &'a mut R,
+    ) -> Stream<'a, F, false> {
+        let State { frame, samples, progress, .. } = state;
+        let place = Place { frame, progress, history_s };
+        let window = const { &Numbers::of::<W>() };
+        Stream { place, samples: (*samples).as_ref(), excess: &[], timing: &self.timing, window }
     }
 
     #[inline(always)]
-    pub(super) fn whole_block<Q: Read<F> + ?Sized>(&self, state: &mut State<F, W>, read: &mut Q) {
-        let end = state.filled - state.pending + W::BLOCK + W::LOOKAHEAD;
+    fn whole_block<Q: Read<F>>(&self, state: &mut State<F, W>, read: &mut Q) {
+        let end = state.progress.filled - state.progress.pending + W::BLOCK + W::LOOKAHEAD;
         let seen = state.samples.as_ref().get(..end).unwrap_or(&[]);
-        let begin = self.begin(state, end);
+        let (time, interval) = (&self.timing.block, self.timing.interval.hi);
+        let (half, order) = (time.half, self.timing.order);
+        let history_s = &mut { R::ZERO };
         if W::LOOKAHEAD == 0 && W::HISTORY > 0 {
             if let Some((body, series, used)) =
-                W::integrate_behind::<R>(seen, self.block.half, self.order, F::TWO_FLOAT)
+                W::integrate_behind::<R>(seen, half, order, F::TWO_FLOAT)
             {
-                state.edges.last = used;
-                self.step::<false, _>(state, (&self.block, &[]), W::BLOCK, &body, &series, read);
+                state.progress.edges.last = used;
+                let mut place = self.stream(state, history_s).place;
+                place.step::<false, _>((time, &[]), interval, W::BLOCK, &body, &series, read);
             } else {
-                self.edge_block(state, W::HISTORY, W::BLOCK, W::SAMPLES, read);
+                self.stream(state, history_s).edge_block(W::HISTORY, W::BLOCK, W::SAMPLES, read);
             }
-        } else if let Some((body, series)) = W::integrate::<R>(
-            seen.get(begin..).unwrap_or(&[]),
-            self.block.half,
-            self.order,
-            F::TWO_FLOAT,
-        ) {
-            self.step::<false, _>(state, (&self.block, &[]), W::BLOCK, &body, &series, read);
+            return;
+        }
+        let begin = end - W::SAMPLES;
+        let begin = begin - W::BESIDE.min(begin);
+        if let Some((body, series)) =
+            W::integrate::<R>(seen.get(begin..).unwrap_or(&[]), half, order, F::TWO_FLOAT)
+        {
+            let mut place = self.stream(state, history_s).place;
+            place.step::<false, _>((time, &[]), interval, W::BLOCK, &body, &series, read);
         }
     }
 }

@@ -1,11 +1,13 @@
 //! Blocks of samples that differ in length: rare, hence out of line, and linked only if used.
 
 use super::rows::{Blocks, Every, Read, Unread};
+use super::stream::{Place, Stream};
 use super::{State, Strapdown};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::strapdown::block::abscissae::Spaced;
+use crate::strapdown::block::any_window::Numbers;
 use crate::strapdown::block::body::{self, BodyMotion, Sum};
 use crate::strapdown::block::fit::{Fit, MOST_SAMPLES};
 use crate::strapdown::block::intervals::Intervals as _;
@@ -50,44 +52,21 @@ fn sum<R: Real>(samples: &[Increment<R>], two_float: bool) -> Sum<R> {
     Sum::rounded(samples.iter().fold(Increment::ZERO, add))
 }
 
-impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
+impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Stream<'_, F, UNEQUAL> {
     /// Whether the `all` samples from the `history`-th before the block on last the nominal interval.
-    #[inline(always)]
-    pub(crate) fn is_nominal(&self, state: &State<F, W>, history: usize, all: usize) -> bool {
-        if !W::UNEQUAL {
-            return true;
-        }
-        let begin = state.filled.saturating_sub(state.pending + history);
-        let excess = state.intervals.excess().iter().skip(begin).take(all);
-        excess.fold(true, |nominal, x| nominal & x.is_within(R::ZERO))
-    }
-
-    /// A block of samples that may differ in length.
     #[inline]
-    pub(crate) fn any_block<Q: Read<F> + ?Sized>(&self, state: &mut State<F, W>, read: &mut Q) {
-        if self.is_nominal(state, W::HISTORY, W::SAMPLES) {
-            self.whole_block(state, read);
-        } else {
-            self.unequal_block(state, W::SHAPE, false, read);
-        }
-    }
-
-    /// The index of the first sample that a whole window up to `end` uses, with the samples before the window
-    /// that it can use if they are there and have the same interval.
-    #[inline(always)]
-    pub(crate) fn begin(&self, state: &State<F, W>, end: usize) -> usize {
-        let begin = end - W::SAMPLES;
-        let beside = W::BESIDE.min(begin);
-        let alike = self.is_nominal(state, W::HISTORY + beside, beside);
-        if alike { begin - beside } else { begin }
+    pub fn is_nominal(&self, history: usize, all: usize) -> bool {
+        let progress = &self.place.progress;
+        let begin = progress.filled.saturating_sub(progress.pending + history);
+        let excess = self.excess.iter().skip(begin).take(all);
+        excess.fold(true, |nominal, x| nominal & x.is_within(R::ZERO))
     }
 
     /// A block of `block` samples with `history` before it and `lookahead` after it; `edge` at the first
     /// and the last ones.
     #[inline(never)]
-    pub(crate) fn unequal_block<Q: Read<F> + ?Sized>(
-        &self,
-        state: &mut State<F, W>,
+    pub fn unequal_block<Q: Read<F> + ?Sized>(
+        &mut self,
         WindowShape { history, block, lookahead }: WindowShape,
         edge: bool,
         read: &mut Q,
@@ -95,48 +74,55 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let most = if edge { BESIDE_AT_EDGE } else { MOST_SAMPLES };
         let lookahead = lookahead.min(most);
         let history = history.min(most - lookahead);
-        let begin = state.filled.saturating_sub(state.pending + history);
-        let (samples, intervals) = (state.samples, state.intervals);
+        let progress = &self.place.progress;
+        let begin = progress.filled.saturating_sub(progress.pending + history);
+        let (samples, excess) = (self.samples, self.excess);
         let all = begin..begin + history + block + lookahead;
         let own = begin + history..begin + history + block;
-        let own_excess = intervals.excess().get(own.clone()).unwrap_or(&[]);
-        let nominal = self.interval * Pair::new(R::count(block as u32));
+        let own_excess = excess.get(own.clone()).unwrap_or(&[]);
+        let interval_s = self.timing.interval;
+        let nominal = interval_s * Pair::new(R::count(block as u32));
         let time = own_excess.iter().fold(nominal, |time, &excess| time + Pair::new(excess));
         let time = BlockTime::lasting(time);
         let spaced = Spaced {
-            samples: samples.as_ref().get(all.clone()).unwrap_or(&[]),
-            excess: intervals.excess().get(all).unwrap_or(&[]),
-            interval_s: self.interval,
+            samples: samples.get(all.clone()).unwrap_or(&[]),
+            excess: excess.get(all).unwrap_or(&[]),
+            interval_s,
             history,
             block,
             time_s: time.time,
         };
-        let near = (!edge && W::COEFFICIENTS < W::SAMPLES).then_some(W::COEFFICIENTS);
+        let &Numbers { shape, coefficients, .. } = self.window;
+        let near = (!edge && coefficients < shape.samples()).then_some(coefficients);
         let fit = spaced.fit(near);
-        let sum = sum(samples.as_ref().get(own).unwrap_or(&[]), F::TWO_FLOAT);
+        let sum = sum(samples.get(own).unwrap_or(&[]), F::TWO_FLOAT);
         let planned = !edge & !R::any((nominal.hi * R::of(PLANNED)).less(time.time.hi));
-        let order = if planned { self.order } else { MOST_TERMS };
+        let order = if planned { self.timing.order } else { MOST_TERMS };
         let (body, series) = integrate(&fit, &sum, time.half, order);
-        self.step::<true, _>(state, (&time, own_excess), block, &body, &series, read);
+        self.place.step::<true, _>(
+            (&time, own_excess),
+            interval_s.hi,
+            block,
+            &body,
+            &series,
+            read,
+        );
     }
+}
 
+impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Place<'_, F, UNEQUAL> {
     /// Brings the gravity history to a block of this duration, or sets it up anew.
     #[inline(never)]
-    pub(crate) fn adapt_history(
-        &self,
-        state: &mut State<F, W>,
-        time: &BlockTime<R>,
-        body: &BodyMotion<R>,
-    ) {
-        let kept = state.intervals.history_s();
-        let counted = self.interval.hi * R::count(state.seeded as u32);
+    pub fn adapt_history(&mut self, interval: R, time: &BlockTime<R>, body: &BodyMotion<R>) {
+        let kept = *self.history_s;
+        let counted = interval * R::count(self.progress.seeded as u32);
         let known = R::ZERO.less(kept);
         let before = R::select(known, kept, counted);
         let most = before * R::of(MOST_STRETCH);
         if R::any(most.less(time.time.hi)) {
-            state.frame.seed(time, body);
+            self.frame.seed(time, body);
         } else {
-            state.frame.stretch(time.time.hi / before);
+            self.frame.stretch(time.time.hi / before);
         }
     }
 }
@@ -222,10 +208,8 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
         read: &mut impl Read<F>,
     ) -> Result<(), Rejected> {
         self.gate.admit_over(&sample, interval_s.hi + interval_s.lo)?;
-        let excess = interval_s - self.interval;
         let before = state.intervals;
-        let nominal = excess.hi.is_within(R::ZERO) & excess.lo.is_within(R::ZERO);
-        let excess = if nominal { R::ZERO } else { state.intervals.rounded(excess) };
+        let excess = state.intervals.over(interval_s, self.timing.interval);
         let taken = self.take(state, sample, excess, read);
         if taken.is_err() {
             state.intervals = before;

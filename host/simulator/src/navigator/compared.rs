@@ -9,12 +9,12 @@ use schuler::math::compensated::{Pair, Plain};
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::solution::Solution;
-use schuler::strapdown::block::unequal::Unequal;
+use schuler::strapdown::block::any_window::AnyWindow;
 use schuler::strapdown::block::window::*;
 use schuler::strapdown::frame::Frame;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::local_level::LocalLevel;
-use schuler::strapdown::navigator::Strapdown;
+use schuler::strapdown::navigator::selected::Selected;
 use schuler::strapdown::reference::textbook::{
     EarthFixedTextbook, LocalLevelTextbook, Textbook, TextbookFrame,
 };
@@ -125,8 +125,9 @@ macro_rules! compared {
             F: Frame<Real: Scalar + Send> + Record + Send + 'static,
         {
             $(if shape == $window::SHAPE {
-                let strapdown = Strapdown::<F, Unequal<$window>>::new(interval_s)?.with_order(order);
-                return Ok(Flying::boxed(strapdown, interval_s, initial)?);
+                let window = AnyWindow::of::<$window>();
+                let selected = Selected::<F>::new(interval_s, window)?.with_order(order);
+                return Ok(Flying::boxed(selected, interval_s, initial)?);
             })+
             Err(Unavailable::Window { shape, of: "the comparison", accepted: COMPARED.into() })
         }

@@ -62,8 +62,8 @@ impl Visitor for Start<'_> {
     fn visit<M: Entry>(self) -> Self::Result {
         let Self(interval_s, initial) = self;
         // The bits are the same, and the host's navigators are there already.
-        let flown = FromDouble::<M::AnyInterval>::start(interval_s, HIGHEST_ORDER, initial)?;
-        Ok(Box::new(Stepping(flown)))
+        let mechanization = M::any_interval(Pair::narrow(interval_s), HIGHEST_ORDER)?;
+        Ok(Box::new(Stepping(FromDouble::new(mechanization, initial)?)))
     }
 }
 

@@ -60,8 +60,7 @@ pub(crate) struct Integration<R> {
 }
 
 /// What takes a block's motion, its series and, of a window without look-ahead, the samples that it was fitted to.
-pub(crate) type Take<'a, R> =
-    dyn FnMut(&BodyMotion<R>, &dyn BlockSeries<R>, Option<Used<R>>) + 'a;
+pub(crate) type Take<'a, R> = dyn FnMut(&BodyMotion<R>, &dyn BlockSeries<R>, Option<Used<R>>) + 'a;
 
 type Whole<R> = fn(&[Increment<R>], usize, &Integration<R>, &mut Take<'_, R>) -> bool;
 

@@ -146,11 +146,7 @@ impl<R: Real, F: Frame<Real = R>> Mechanization for Selected<F> {
             progress: Progress::none(),
         })
     }
-    fn push(
-        &self,
-        state: &mut SelectedState<F>,
-        sample: Increment<R>,
-    ) -> Result<(), Rejected> {
+    fn push(&self, state: &mut SelectedState<F>, sample: Increment<R>) -> Result<(), Rejected> {
         self.take(state, sample, &mut Unread)
     }
     fn push_rows(

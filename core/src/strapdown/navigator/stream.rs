@@ -218,8 +218,7 @@ impl<F: Frame> Stream<'_, F, true> {
         let alike = self.is_nominal(shape.history + beside, beside);
         let begin = if alike { begin - beside } else { begin };
         let Timing { block, order, .. } = self.timing;
-        let how =
-            Integration { half_time_s: block.half, order: *order, two_float: F::TWO_FLOAT };
+        let how = Integration { half_time_s: block.half, order: *order, two_float: F::TWO_FLOAT };
         let place = &mut self.place;
         let interval = self.timing.interval.hi;
         let integrated = window.integrate(seen, begin, &how, &mut |body, series, used| {

@@ -99,14 +99,7 @@ impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Stream<'_, F, UNEQUAL> {
         let planned = !edge & !R::any((nominal.hi * R::of(PLANNED)).less(time.time.hi));
         let order = if planned { self.timing.order } else { MOST_TERMS };
         let (body, series) = integrate(&fit, &sum, time.half, order);
-        self.place.step::<true, _>(
-            (&time, own_excess),
-            interval_s.hi,
-            block,
-            &body,
-            &series,
-            read,
-        );
+        self.place.step::<true, _>((&time, own_excess), interval_s.hi, block, &body, &series, read);
     }
 }
 

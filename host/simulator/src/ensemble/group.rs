@@ -129,7 +129,7 @@ impl<'a> Ground<'a> {
                         self.plan.order,
                         &starts,
                     )?;
-                    return Ok(Some(Box::new(Pack::new(abreast, self.source, runs))));
+                    return Ok(Some(Box::new(Pack::new(Box::new(abreast), self.source, runs))));
                 })+
             };
         }

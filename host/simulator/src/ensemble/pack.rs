@@ -2,14 +2,13 @@
 
 use super::held::Held;
 use super::runs::{Failure, Group};
-use crate::lanes::abreast::{Abreast, Packed, Refused, replaced};
+use crate::lanes::abreast::{Refused, SideBySide, replaced};
+use crate::lanes::pack::Lanes;
 use crate::lanes::sensors::{Sensors, in_lanes, same};
 use crate::source::Source;
 use crate::timing;
-use schuler::output::Output;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::block::window::Window;
 use schuler::strapdown::limits::Rejected;
 use std::ops::Range;
 use std::slice;
@@ -18,11 +17,11 @@ use std::slice;
 const PIECE: usize = 64;
 
 /// Runs abreast. Idle lanes, where there are fewer runs than lanes, take the samples of another one.
-pub(super) struct Pack<'a, F: Packed<N>, W: Window, const N: usize> {
-    abreast: Abreast<F, W, N>,
+pub(super) struct Pack<'a, P: Lanes<N>, const N: usize> {
+    abreast: Box<dyn SideBySide<P, N>>,
     source: &'a Source,
     /// `None` where they are perfect.
-    sensors: Option<Sensors<F::Real, N>>,
+    sensors: Option<Sensors<P, N>>,
     runs: Vec<Run>,
     /// Samples taken.
     taken: u64,
@@ -36,9 +35,9 @@ struct Run {
     saturated: u64,
 }
 
-impl<'a, F: Packed<N>, W: Window, const N: usize> Pack<'a, F, W, N> {
+impl<'a, P: Lanes<N>, const N: usize> Pack<'a, P, N> {
     /// Runs of these numbers, at their start.
-    pub fn new(abreast: Abreast<F, W, N>, source: &'a Source, runs: Range<u64>) -> Self {
+    pub fn new(abreast: Box<dyn SideBySide<P, N>>, source: &'a Source, runs: Range<u64>) -> Self {
         let sensors = source.start_lanes(runs.start);
         let run = |number| Run { number, failure: None, saturated: 0 };
         Self { abreast, source, sensors, runs: runs.map(run).collect(), taken: 0 }
@@ -48,7 +47,7 @@ impl<'a, F: Packed<N>, W: Window, const N: usize> Pack<'a, F, W, N> {
     fn measure(
         &mut self,
         perfect: &[Increment<f64>],
-        mut take: impl FnMut(&mut Self, &mut [Increment<F::Real>]) -> bool,
+        mut take: impl FnMut(&mut Self, &mut [Increment<P>]) -> bool,
     ) {
         // Made for the call, not kept by every group of runs.
         let terms = self.source.emulator.as_ref().map(in_lanes);
@@ -82,11 +81,7 @@ impl<'a, F: Packed<N>, W: Window, const N: usize> Pack<'a, F, W, N> {
     }
 
     /// Takes what was measured.
-    fn push(
-        &mut self,
-        measured: &[Increment<F::Real>],
-        held: Option<&Held>,
-    ) -> Result<(), Refused> {
+    fn push(&mut self, measured: &[Increment<P>], held: Option<&Held>) -> Result<(), Refused> {
         let Some(held) = held else { return self.abreast.push(measured) };
         for (taken, sample) in measured.iter().enumerate() {
             let before = self.abreast.integrated();
@@ -102,7 +97,7 @@ impl<'a, F: Packed<N>, W: Window, const N: usize> Pack<'a, F, W, N> {
     }
 
     /// Takes a piece of what was measured; whether any run goes on.
-    fn take(&mut self, measured: &mut [Increment<F::Real>], held: Option<&Held>) -> bool {
+    fn take(&mut self, measured: &mut [Increment<P>], held: Option<&Held>) -> bool {
         let mut from = 0;
         while let Err(refused) = self.push(measured.get(from..).unwrap_or(&[]), held) {
             from += refused.taken;
@@ -116,7 +111,7 @@ impl<'a, F: Packed<N>, W: Window, const N: usize> Pack<'a, F, W, N> {
 
     /// Ends the runs that refuse a measured sample, or all where it is no run's own matter. Whether any
     /// goes on.
-    fn part(&mut self, measured: &mut [Increment<F::Real>], from: usize, why: Rejected) -> bool {
+    fn part(&mut self, measured: &mut [Increment<P>], from: usize, why: Rejected) -> bool {
         let alone = match measured.get(from) {
             Some(sample) if why != Rejected::Held => self.abreast.refusals(sample),
             _ => [None; N],
@@ -140,12 +135,7 @@ impl<'a, F: Packed<N>, W: Window, const N: usize> Pack<'a, F, W, N> {
     }
 }
 
-impl<F, W, const N: usize> Group for Pack<'_, F, W, N>
-where
-    F: Packed<N>,
-    W: Window,
-    Self: Send,
-{
+impl<P: Lanes<N>, const N: usize> Group for Pack<'_, P, N> {
     fn fly(&mut self, perfect: &[Increment<f64>], held: Option<&Held>) {
         self.measure(perfect, |pack, measured| pack.take(measured, held));
     }
@@ -167,9 +157,9 @@ where
     }
 
     fn solutions(&self) -> Vec<Option<Solution<f64>>> {
-        let all = self.abreast.output();
-        let runs = self.runs.iter().zip(&all);
-        runs.map(|(run, output)| run.failure.is_none().then(|| output.wide())).collect()
+        let all = self.abreast.solutions();
+        let runs = self.runs.iter().zip(all);
+        runs.map(|(run, solution)| run.failure.is_none().then_some(solution)).collect()
     }
 
     fn saturated(&self) -> u64 {
@@ -187,9 +177,7 @@ where
             true
         });
         timing::per_sample((perfect.len() * N) as u64, &mut || {
-            let mut abreast = self.abreast;
-            let _ = abreast.push(&samples);
-            std::hint::black_box(&abreast);
+            std::hint::black_box(self.abreast.fly_copy(&samples));
         })
     }
 }

@@ -4,9 +4,11 @@
 //! line, where lanes are slow. In between the states are in lanes, joined and split by the list of
 //! fields that storage and digests use, too.
 
-use super::pack::{LANE, Lanes, Task};
+use super::joined::{join, split};
+use super::pack::{Lanes, Task};
 use super::samples::unpack;
 use schuler::math::compensated::Pair;
+use schuler::output::Output as _;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
@@ -19,7 +21,6 @@ use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::{State, Strapdown};
 use std::array;
-use std::ops::Range;
 
 pub use super::samples::{pack, replaced};
 
@@ -35,6 +36,27 @@ impl<P: Lanes<N>, const N: usize> Packed<N> for LocalLevel<Pair<P>> {
 
 impl<P: Lanes<N>, const N: usize> Packed<N> for EarthFixed<Pair<P>> {
     type Alone = EarthFixed<Pair<f64>>;
+}
+
+/// `N` runs in flight, whatever their frame and window.
+pub trait SideBySide<P, const N: usize>: Send {
+    /// Takes samples, each of every run; stops before one that is wrong in any lane and says how many
+    /// were taken.
+    fn push(&mut self, samples: &[Increment<P>]) -> Result<(), Refused>;
+    /// Why each run alone would not take a sample, which some lane has refused.
+    fn refusals(&self, sample: &Increment<P>) -> [Option<Rejected>; N];
+    /// Lets a lane go on as a copy of another one.
+    fn replace(&mut self, lane: usize, by: usize);
+    /// Sets height (m) and vertical velocity (down, m/s) of every run.
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected>;
+    /// Integrates what is pending: the streams are at their end.
+    fn finish(&mut self);
+    /// Samples of each run that were integrated so far.
+    fn integrated(&self) -> u64;
+    /// Navigation of every run at the end of the last block.
+    fn solutions(&self) -> Vec<Solution<f64>>;
+    /// Flies samples from here in a copy, to see what that takes; gives the samples that it integrated.
+    fn fly_copy(&self, samples: &[Increment<P>]) -> u64;
 }
 
 /// `N` runs in flight: in frame `F` over a pack, with window `W`.
@@ -74,20 +96,6 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         Ok(Self { lanes, one, together, apart, joined: false })
     }
 
-    /// Takes samples, each of every run; stops before one that is wrong in any lane and says how many
-    /// were taken.
-    pub fn push(&mut self, samples: &[Increment<P>]) -> Result<(), Refused> {
-        let mut taken = 0;
-        while !self.joined {
-            let Some(sample) = samples.get(taken) else { return Ok(()) };
-            self.push_apart(sample).map_err(|reason| Refused { taken, reason })?;
-            taken += 1;
-        }
-        let rest = samples.get(taken..).unwrap_or(&[]);
-        let push = Push { strapdown: &self.lanes, state: &mut self.together, samples: rest };
-        P::compiled(push).map_err(|refused| Refused { taken: taken + refused.taken, ..refused })
-    }
-
     /// Takes a sample in each run alone; joins the runs when their first block is behind them.
     fn push_apart(&mut self, sample: &Increment<P>) -> Result<(), Rejected> {
         let samples = unpack(sample);
@@ -103,8 +111,34 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         Ok(())
     }
 
-    /// Why each run alone would not take a sample, which some lane has refused.
-    pub fn refusals(&self, sample: &Increment<P>) -> [Option<Rejected>; N] {
+    /// Every run's state.
+    fn states(&self) -> [State<F::Alone, Unequal<W>>; N] {
+        let mut states = self.apart;
+        if self.joined {
+            split(&self.together, &mut states);
+        }
+        states
+    }
+}
+
+impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> SideBySide<P, N>
+    for Abreast<F, W, N>
+where
+    Self: Send,
+{
+    fn push(&mut self, samples: &[Increment<P>]) -> Result<(), Refused> {
+        let mut taken = 0;
+        while !self.joined {
+            let Some(sample) = samples.get(taken) else { return Ok(()) };
+            self.push_apart(sample).map_err(|reason| Refused { taken, reason })?;
+            taken += 1;
+        }
+        let rest = samples.get(taken..).unwrap_or(&[]);
+        let push = Push { strapdown: &self.lanes, state: &mut self.together, samples: rest };
+        P::compiled(push).map_err(|refused| Refused { taken: taken + refused.taken, ..refused })
+    }
+
+    fn refusals(&self, sample: &Increment<P>) -> [Option<Rejected>; N] {
         let (mut states, mut samples) = (self.states().into_iter(), unpack(sample).into_iter());
         array::from_fn(|_| {
             let (mut state, sample) = (states.next()?, samples.next()?);
@@ -112,8 +146,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         })
     }
 
-    /// Lets a lane go on as a copy of another one.
-    pub fn replace(&mut self, lane: usize, by: usize) {
+    fn replace(&mut self, lane: usize, by: usize) {
         let mut states = self.states();
         if let Some(&other) = states.get(by)
             && let Some(state) = states.get_mut(lane)
@@ -126,8 +159,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         }
     }
 
-    /// Sets height (m) and vertical velocity (down, m/s) of every run.
-    pub fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected> {
+    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected> {
         if self.joined {
             let vertical = [altitude_m, down_m_s].map(P::of);
             return P::compiled(Hold {
@@ -140,8 +172,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         self.apart.iter_mut().try_for_each(hold)
     }
 
-    /// Integrates what is pending: the streams are at their end.
-    pub fn finish(&mut self) {
+    fn finish(&mut self) {
         self.apart = self.states();
         self.joined = false;
         for state in &mut self.apart {
@@ -149,8 +180,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         }
     }
 
-    /// Samples of each run that were integrated so far.
-    pub fn integrated(&self) -> u64 {
+    fn integrated(&self) -> u64 {
         if self.joined {
             self.together.integrated()
         } else {
@@ -158,18 +188,15 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         }
     }
 
-    /// Navigation of every run at the end of the last block.
-    pub fn output(&self) -> [<F::Alone as Frame>::Output; N] {
-        self.states().map(|state| state.output())
+    fn solutions(&self) -> Vec<Solution<f64>> {
+        self.states().iter().map(|state| state.output().wide()).collect()
     }
 
-    /// Every run's state.
-    fn states(&self) -> [State<F::Alone, Unequal<W>>; N] {
-        let mut states = self.apart;
-        if self.joined {
-            split(&self.together, &mut states);
-        }
-        states
+    fn fly_copy(&self, samples: &[Increment<P>]) -> u64 {
+        let mut copy = *self;
+        // What cannot be right was refused in the flight itself.
+        let _ = copy.push(samples);
+        std::hint::black_box(&copy).integrated()
     }
 }
 
@@ -223,58 +250,4 @@ impl<F: Frame, W: Window> Task for Hold<'_, F, W> {
         let [altitude, down] = self.vertical;
         self.strapdown.hold_vertical(self.state, altitude, down)
     }
-}
-
-/// Whose a field of lanes is: every count is of all runs, and lanes follow one another.
-struct Turns(usize);
-
-impl Turns {
-    fn whose<const N: usize>(&mut self, name: &str) -> Range<usize> {
-        if name != LANE {
-            return 0..N;
-        }
-        let run = self.0 % N;
-        self.0 += 1;
-        run..run + 1
-    }
-}
-
-/// What a state with room for samples of any length keeps, and lanes do not: every sample lasts the nominal
-/// interval.
-const KEPT: [&str; 3] = ["interval_excess", "interval_rest", "history_time"];
-
-/// States of single runs into lanes.
-fn join<const N: usize>(together: &mut impl Record, apart: &[impl Record; N]) {
-    let mut runs = apart.each_ref().map(|state| words(state).into_iter());
-    let mut turns = Turns(0);
-    together.restore("", &mut |name, word| {
-        let whose = &mut runs[turns.whose::<N>(name)];
-        whose.iter_mut().filter_map(Iterator::next).last().unwrap_or(word)
-    });
-}
-
-/// Lanes into states of single runs.
-fn split<const N: usize>(together: &impl Record, apart: &mut [impl Record; N]) {
-    let mut runs: [Vec<u64>; N] = array::from_fn(|_| Vec::new());
-    let mut turns = Turns(0);
-    together.record("", &mut |name, word| {
-        runs[turns.whose::<N>(name)].iter_mut().for_each(|run| run.push(word));
-    });
-    for (state, words) in apart.iter_mut().zip(runs) {
-        let mut words = words.into_iter();
-        state.restore("", &mut |name, word| {
-            if KEPT.contains(&name) { word } else { words.next().unwrap_or(word) }
-        });
-    }
-}
-
-/// Every field of a state that lanes have, too.
-fn words(state: &impl Record) -> Vec<u64> {
-    let mut words = Vec::new();
-    state.record("", &mut |name, word| {
-        if !KEPT.contains(&name) {
-            words.push(word);
-        }
-    });
-    words
 }

@@ -6,6 +6,7 @@
 pub mod abreast;
 mod circle;
 pub mod drawn;
+mod joined;
 mod logarithm;
 pub mod normal;
 pub mod one;

@@ -9,7 +9,7 @@ use schuler::strapdown::frame::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::local_level::LocalLevel;
 use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::navigator::Strapdown;
-use schuler_simulator::lanes::abreast::{Abreast, Packed, pack};
+use schuler_simulator::lanes::abreast::{Abreast, Packed, SideBySide as _, pack};
 use schuler_simulator::lanes::pack::Lanes;
 use schuler_simulator::lanes::{InLanes, Registers, in_registers};
 use schuler_simulator::scene::builtin;

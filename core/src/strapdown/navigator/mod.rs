@@ -97,6 +97,12 @@ impl<F: Frame, W: Window> State<F, W> {
         self.progress.integrated
     }
 
+    /// Whether its next blocks are within the stream: [`Strapdown::push_inside`] is enough for them.
+    #[doc(hidden)]
+    pub fn is_inside(&self) -> bool {
+        self.progress.integrated > 0 && self.progress.past() >= W::HISTORY
+    }
+
     /// The number of samples that first and last blocks were fitted to.
     pub fn edges(&self) -> Edges<F::Real> {
         self.progress.edges
@@ -179,7 +185,20 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     #[inline(always)]
     pub fn push(&self, state: &mut State<F, W>, sample: Increment<R>) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
-        self.take(state, sample, R::ZERO, &mut Unread)
+        self.take::<true>(state, sample, R::ZERO, &mut Unread)
+    }
+
+    /// The same for a stream that [`State::is_inside`], in a window with look-ahead or without history. It has no
+    /// code for edges, which lanes would compile in vain.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn push_inside(
+        &self,
+        state: &mut State<F, W>,
+        sample: Increment<R>,
+    ) -> Result<(), Rejected> {
+        self.gate.admit(&sample)?;
+        self.take::<false>(state, sample, R::ZERO, &mut Unread)
     }
 
     /// Takes a sample and reads every row that it completes: the number of samples up to the row, and
@@ -196,7 +215,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         read: impl FnMut(u64, F::Output),
     ) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
-        self.take(state, sample, R::ZERO, &mut Every(read))
+        self.take::<true>(state, sample, R::ZERO, &mut Every(read))
     }
 
     /// Takes a sample and shows every block that it completes, step by step: the number of samples at
@@ -212,7 +231,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         see: impl FnMut(u64, &BodyMotion<R>, &F),
     ) -> Result<(), Rejected> {
         self.gate.admit(&sample)?;
-        self.take(state, sample, R::ZERO, &mut Blocks(see))
+        self.take::<true>(state, sample, R::ZERO, &mut Blocks(see))
     }
 
     /// Integrates all pending samples at the end of the stream. More samples may still follow.

@@ -12,8 +12,9 @@ use crate::strapdown::frame::Frame;
 use crate::strapdown::limits::Rejected;
 
 impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
+    /// Takes an admitted sample. Without `EDGES` the stream is beyond its first block.
     #[inline(always)]
-    pub(super) fn take(
+    pub(super) fn take<const EDGES: bool>(
         &self,
         state: &mut State<F, W>,
         sample: Increment<R>,
@@ -29,7 +30,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         }
         store(state.samples.as_mut(), &mut state.progress, W::BLOCK, sample);
         let past = state.progress.past();
-        if past < W::HISTORY {
+        if EDGES && past < W::HISTORY {
             if state.progress.filled < W::FIRST {
                 return Ok(());
             }
@@ -37,7 +38,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             self.stream(state, &mut { R::ZERO }).edge_block(past, W::BLOCK, W::FIRST, read);
         }
         while state.progress.pending >= W::BLOCK + W::LOOKAHEAD {
-            self.whole_block(state, read);
+            self.whole_block::<EDGES, _>(state, read);
         }
         Ok(())
     }
@@ -90,7 +91,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     }
 
     #[inline(always)]
-    fn whole_block<Q: Read<F>>(&self, state: &mut State<F, W>, read: &mut Q) {
+    fn whole_block<const EDGES: bool, Q: Read<F>>(&self, state: &mut State<F, W>, read: &mut Q) {
         let end = state.progress.filled - state.progress.pending + W::BLOCK + W::LOOKAHEAD;
         let seen = state.samples.as_ref().get(..end).unwrap_or(&[]);
         let (time, interval) = (&self.timing.block, self.timing.interval.hi);
@@ -103,7 +104,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
                 state.progress.edges.last = used;
                 let mut place = self.stream(state, history_s).place;
                 place.step::<false, _>((time, &[]), interval, W::BLOCK, &body, &series, read);
-            } else {
+            } else if EDGES {
                 self.stream(state, history_s).edge_block(W::HISTORY, W::BLOCK, W::SAMPLES, read);
             }
             return;

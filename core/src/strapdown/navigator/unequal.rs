@@ -203,7 +203,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, Unequal<W>> {
         self.gate.admit_over(&sample, interval_s.hi + interval_s.lo)?;
         let before = state.intervals;
         let excess = state.intervals.over(interval_s, self.timing.interval);
-        let taken = self.take(state, sample, excess, read);
+        let taken = self.take::<true>(state, sample, excess, read);
         if taken.is_err() {
             state.intervals = before;
         }

@@ -8,7 +8,7 @@ use super::joined::{join, split};
 use super::pack::{Lanes, Task};
 use super::samples::unpack;
 use schuler::math::compensated::Pair;
-use schuler::output::Output as _;
+use schuler::output::Output;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
@@ -96,7 +96,7 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         Ok(Self { lanes, one, together, apart, joined: false })
     }
 
-    /// Takes a sample in each run alone; joins the runs when their first block is behind them.
+    /// Takes a sample in each run alone; joins the runs when the edge of the stream is behind them.
     fn push_apart(&mut self, sample: &Increment<P>) -> Result<(), Rejected> {
         let samples = unpack(sample);
         let mut apart = self.apart;
@@ -104,11 +104,16 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
             self.one.push(state, sample)?;
         }
         self.apart = apart;
-        if self.integrated() > 0 {
+        if self.apart.iter().all(State::is_inside) {
             join(&mut self.together, &self.apart);
             self.joined = true;
         }
         Ok(())
+    }
+
+    /// Navigation of every run at the end of the last block, in its own axes.
+    pub fn output(&self) -> [<F::Alone as Frame>::Output; N] {
+        self.states().map(|state| state.output())
     }
 
     /// Every run's state.
@@ -189,7 +194,7 @@ where
     }
 
     fn solutions(&self) -> Vec<Solution<f64>> {
-        self.states().iter().map(|state| state.output().wide()).collect()
+        self.output().iter().map(Output::wide).collect()
     }
 
     fn fly_copy(&self, samples: &[Increment<P>]) -> u64 {
@@ -229,7 +234,7 @@ impl<F: Frame, W: Window> Task for Push<'_, F, W> {
     #[inline(always)]
     fn run(self) -> Self::Output {
         for (taken, &sample) in self.samples.iter().enumerate() {
-            let pushed = self.strapdown.push(self.state, sample);
+            let pushed = self.strapdown.push_inside(self.state, sample);
             pushed.map_err(|reason| Refused { taken, reason })?;
         }
         Ok(())

@@ -17,6 +17,7 @@ use super::configuration::{Algorithm, Axes, Configuration, Precision};
 use crate::math::compensated::{Pair, TwoFloat};
 use crate::math::real::Scalar;
 use crate::record::Record;
+use crate::strapdown::block::any_window::AnyWindow;
 use crate::strapdown::block::window::*;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::earth_fixed::EarthFixed;
@@ -118,7 +119,7 @@ where
     }
 
     fn any_interval(interval_s: Pair<F::Real>, order: usize) -> Result<Selected<F>, StartError> {
-        Ok(Selected::new(interval_s, W::any())?.with_order(order))
+        Ok(Selected::new(interval_s, AnyWindow::of::<W>())?.with_order(order))
     }
 }
 

@@ -12,6 +12,7 @@ use super::body::BodyMotion;
 use super::inside::BlockSeries;
 use super::newton::Used;
 use super::shape::WindowShape;
+use super::unequal::Unequal;
 use super::window::Window;
 use crate::math::real::Real;
 use crate::sample::Increment;
@@ -60,7 +61,7 @@ pub(crate) struct Integration<R> {
 }
 
 /// What takes a block's motion, its series and, of a window without look-ahead, the samples that it was fitted to.
-pub(crate) type Take<'a, R> = dyn FnMut(&BodyMotion<R>, &dyn BlockSeries<R>, Option<Used<R>>) + 'a;
+type Take<'a, R> = dyn FnMut(&BodyMotion<R>, &dyn BlockSeries<R>, Option<Used<R>>) + 'a;
 
 type Whole<R> = fn(&[Increment<R>], usize, &Integration<R>, &mut Take<'_, R>) -> bool;
 
@@ -74,41 +75,81 @@ pub struct AnyWindow<R: Real> {
 impl<R: Real> AnyWindow<R> {
     /// From its type.
     pub const fn of<W: Window>() -> Self {
-        Self { numbers: Numbers::of::<W>(), whole: whole::<R, W> }
+        Self { numbers: Numbers::of::<W>(), whole: whole::<R, Unequal<W>> }
     }
 
     /// Its numbers.
     pub const fn numbers(&self) -> &Numbers {
         &self.numbers
     }
+}
 
+/// A window, known to the compiler or chosen at run time.
+pub(crate) trait Layout<R: Real>: Copy {
+    /// Its numbers.
+    fn numbers(&self) -> &Numbers;
     /// Integrates the block of the window at the end of the samples, which begins at `begin`; false if there are
     /// too few samples to decide how.
-    pub(crate) fn integrate(
+    fn integrate(
         &self,
         seen: &[Increment<R>],
         begin: usize,
         how: &Integration<R>,
-        take: &mut Take<'_, R>,
+        take: impl FnMut(&BodyMotion<R>, &dyn BlockSeries<R>, Option<Used<R>>),
+    ) -> bool;
+}
+
+impl<R: Real> Layout<R> for &AnyWindow<R> {
+    #[inline(always)]
+    fn numbers(&self) -> &Numbers {
+        &self.numbers
+    }
+    #[inline(always)]
+    fn integrate(
+        &self,
+        seen: &[Increment<R>],
+        begin: usize,
+        how: &Integration<R>,
+        mut take: impl FnMut(&BodyMotion<R>, &dyn BlockSeries<R>, Option<Used<R>>),
     ) -> bool {
-        (self.whole)(seen, begin, how, take)
+        (self.whole)(seen, begin, how, &mut take)
     }
 }
 
-/// One copy of the code for all frames and readers.
-#[inline(never)]
+/// A window known to the compiler: code for other windows is left out.
+#[derive(Clone, Copy)]
+pub(crate) struct Known<W>(pub W);
+
+impl<R: Real, W: Window> Layout<R> for Known<W> {
+    #[inline(always)]
+    fn numbers(&self) -> &Numbers {
+        const { &Numbers::of::<W>() }
+    }
+    #[inline(always)]
+    fn integrate(
+        &self,
+        seen: &[Increment<R>],
+        begin: usize,
+        &Integration { half_time_s, order, two_float }: &Integration<R>,
+        mut take: impl FnMut(&BodyMotion<R>, &dyn BlockSeries<R>, Option<Used<R>>),
+    ) -> bool {
+        if W::LOOKAHEAD == 0 && W::HISTORY > 0 {
+            let integrated = W::integrate_behind(seen, half_time_s, order, two_float);
+            integrated.map(|(body, series, used)| take(&body, &series, Some(used))).is_some()
+        } else {
+            let seen = seen.get(begin..).unwrap_or(&[]);
+            let integrated = W::integrate(seen, half_time_s, order, two_float);
+            integrated.map(|(body, series)| take(&body, &series, None)).is_some()
+        }
+    }
+}
+
+/// As [`Known`] does.
 fn whole<R: Real, W: Window>(
     seen: &[Increment<R>],
     begin: usize,
-    &Integration { half_time_s, order, two_float }: &Integration<R>,
+    how: &Integration<R>,
     take: &mut Take<'_, R>,
 ) -> bool {
-    if W::LOOKAHEAD == 0 && W::HISTORY > 0 {
-        let integrated = W::integrate_behind(seen, half_time_s, order, two_float);
-        integrated.map(|(body, series, used)| take(&body, &series, Some(used))).is_some()
-    } else {
-        let seen = seen.get(begin..).unwrap_or(&[]);
-        let integrated = W::integrate(seen, half_time_s, order, two_float);
-        integrated.map(|(body, series)| take(&body, &series, None)).is_some()
-    }
+    Known(W::default()).integrate(seen, begin, how, take)
 }

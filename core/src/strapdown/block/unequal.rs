@@ -12,7 +12,6 @@
 //! assert_eq!(Unequal::<H2B4A2>::SHAPE, H2B4A2::SHAPE);
 //! ```
 
-use super::any_window::AnyWindow;
 use super::body::BodyMotion;
 use super::window::{Behind, Window};
 use crate::math::real::Real;
@@ -42,7 +41,8 @@ impl<W: Window> Window for Unequal<W> {
         W::samples(fill)
     }
 
-    #[inline(always)]
+    // One copy of the code for all frames and readers, here and below.
+    #[inline(never)]
     fn integrate_behind<R: Real>(
         seen: &[Increment<R>],
         half_time_s: R,
@@ -52,7 +52,7 @@ impl<W: Window> Window for Unequal<W> {
         W::integrate_behind(seen, half_time_s, order, two_float)
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn integrate<R: Real>(
         samples: &[Increment<R>],
         half_time_s: R,
@@ -60,11 +60,5 @@ impl<W: Window> Window for Unequal<W> {
         two_float: bool,
     ) -> Option<(BodyMotion<R>, Self::Series<R>)> {
         W::integrate(samples, half_time_s, order, two_float)
-    }
-
-    // One copy of the code for both.
-    #[inline]
-    fn any<R: Real>() -> AnyWindow<R> {
-        W::any()
     }
 }

@@ -15,7 +15,6 @@
 #![doc = include_str!("WINDOWS.md")]
 
 use super::alike;
-use super::any_window::AnyWindow;
 use super::behind;
 use super::body::{BodyMotion, Sum, integrate};
 use super::fit::LINE_LAST_SAMPLES;
@@ -89,12 +88,6 @@ pub trait Window: Copy + Default + Send + 'static {
         order: usize,
         two_float: bool,
     ) -> Option<Behind<R, Self::Series<R>>>;
-
-    /// The window as a value.
-    #[inline]
-    fn any<R: Real>() -> AnyWindow<R> {
-        AnyWindow::of::<Self>()
-    }
 }
 
 /// The fit of a window's samples: the polynomial through all of them, or a line or parabola.

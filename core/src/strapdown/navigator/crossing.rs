@@ -1,7 +1,7 @@
 //! The step over a block, and the rows within it.
 
 use super::edges;
-use super::rows::Read;
+use super::rows::{Chosen, Read};
 use super::stream::Place;
 use crate::math::real::Real;
 use crate::strapdown::block::body::BodyMotion;
@@ -61,7 +61,7 @@ impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Place<'_, F, UNEQUAL> {
     /// Crosses a block: sets up the gravity history if the block's length is new, steps, reads rows. `excess`
     /// has the differences of its samples' intervals from the nominal `interval`; it is empty if there are none.
     #[inline(always)]
-    pub fn step<const EDGE: bool, Q: Read<F> + ?Sized>(
+    pub fn step<const EDGE: bool, Q: Chosen<F> + ?Sized>(
         &mut self,
         (time, excess): (&BlockTime<R>, &[R]),
         interval: R,
@@ -71,8 +71,7 @@ impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Place<'_, F, UNEQUAL> {
         read: &mut Q,
     ) {
         if UNEQUAL {
-            let mut read = &mut *read;
-            return self.step_any((time, excess), interval, block, body, series, &mut read);
+            return self.step_any((time, excess), interval, block, body, series, read.chosen());
         }
         if self.progress.seeded != block {
             self.frame.seed(time, body);

@@ -3,11 +3,11 @@
 //! They are rare, so the fit is computed at run time, through as many samples as the motion supports, and all of
 //! them use the longest series.
 
-use super::rows::Read;
+use super::rows::Chosen;
 use super::stream::Stream;
 use crate::math::real::Real;
 use crate::sample::Increment;
-use crate::strapdown::block::any_window::Numbers;
+use crate::strapdown::block::any_window::{Layout, Numbers};
 use crate::strapdown::block::body::{self, BodyMotion, Sum};
 use crate::strapdown::block::fit::LINE_LAST_SAMPLES;
 use crate::strapdown::block::fit::{Fit, MOST_SAMPLES};
@@ -52,11 +52,16 @@ fn fit<R: Real>(
     newton::at_edge(samples, shape, begin)
 }
 
-impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Stream<'_, F, UNEQUAL> {
+impl<R, F, K, const UNEQUAL: bool> Stream<'_, F, K, UNEQUAL>
+where
+    R: Real,
+    F: Frame<Real = R>,
+    K: Layout<R>,
+{
     /// A block of `block` samples within the window of at most `all` samples that starts `history`
     /// before it.
     #[inline(never)]
-    pub fn edge_block<Q: Read<F> + ?Sized>(
+    pub fn edge_block<Q: Chosen<F> + ?Sized>(
         &mut self,
         history: usize,
         block: usize,
@@ -77,7 +82,7 @@ impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Stream<'_, F, UNEQUAL> {
         let time = BlockTime::new(interval, block);
         let (fit, used) = fit(stored, shape, begin);
         let sum = if F::TWO_FLOAT { Sum::exact(own) } else { Sum::plain(own) };
-        let window = self.window.shape;
+        let window = self.window.numbers().shape;
         if progress.integrated == 0 && window.history > 0 {
             progress.edges.first = used;
         }
@@ -90,8 +95,8 @@ impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Stream<'_, F, UNEQUAL> {
 
     /// The last blocks: missing look-ahead is replaced by history.
     #[inline(never)]
-    pub fn last_blocks<Q: Read<F> + ?Sized>(&mut self, read: &mut Q) {
-        let &Numbers { shape, coefficients, .. } = self.window;
+    pub fn last_blocks<Q: Chosen<F> + ?Sized>(&mut self, read: &mut Q) {
+        let &Numbers { shape, coefficients, .. } = self.window.numbers();
         let samples = shape.samples();
         while self.place.progress.pending > 0 {
             let pending = self.place.progress.pending;

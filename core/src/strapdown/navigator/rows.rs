@@ -55,18 +55,22 @@ impl<F: Frame, C: FnMut(u64, &BodyMotion<F::Real>, &F)> Read<F> for Blocks<C> {
     }
 }
 
-/// Another reader by reference: a type of known size for one chosen at run time.
-impl<F: Frame, Q: Read<F> + ?Sized> Read<F> for &mut Q {
+/// A reader as one that is chosen at run time.
+pub(crate) trait Chosen<F: Frame>: Read<F> {
+    /// Itself.
+    fn chosen(&mut self) -> &mut (dyn Read<F> + '_);
+}
+
+impl<F: Frame, Q: Read<F>> Chosen<F> for Q {
     #[inline(always)]
-    fn wants_rows(&self) -> bool {
-        (**self).wants_rows()
+    fn chosen(&mut self) -> &mut (dyn Read<F> + '_) {
+        self
     }
+}
+
+impl<F: Frame> Chosen<F> for dyn Read<F> + '_ {
     #[inline(always)]
-    fn row(&mut self, samples: u64, output: F::Output) {
-        (**self).row(samples, output);
-    }
-    #[inline(always)]
-    fn block(&mut self, samples: u64, body: &BodyMotion<F::Real>, frame: &F) {
-        (**self).block(samples, body, frame);
+    fn chosen(&mut self) -> &mut (dyn Read<F> + '_) {
+        self
     }
 }

@@ -88,7 +88,10 @@ impl<R: Real, F: Frame<Real = R>> Selected<F> {
         Self { timing: Timing { order, ..self.timing }, ..self }
     }
 
-    fn room<'a>(&'a self, state: &'a mut SelectedState<F>) -> Option<Room<'a, F>> {
+    fn room<'a>(
+        &'a self,
+        state: &'a mut SelectedState<F>,
+    ) -> Option<Room<'a, F, &'a AnyWindow<R>>> {
         let SelectedState { frame, samples, intervals, progress } = state;
         let (excess, history_s) = intervals.kept_mut()?;
         let (timing, window) = (&self.timing, &self.window);

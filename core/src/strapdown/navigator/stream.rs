@@ -1,10 +1,10 @@
-//! A stream of samples without the type of its window: what all navigators of a frame have in common.
+//! A stream of samples, whether the compiler knows its window or it is chosen at run time.
 
 use super::rows::Read;
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
-use crate::strapdown::block::any_window::{AnyWindow, Integration, Numbers};
+use crate::strapdown::block::any_window::{Integration, Layout, Numbers};
 use crate::strapdown::block::newton::Edges;
 use crate::strapdown::frame::Frame;
 use crate::strapdown::frame::block_time::BlockTime;
@@ -69,7 +69,7 @@ pub(crate) struct Place<'a, F: Frame, const UNEQUAL: bool> {
 }
 
 /// A stream with its samples. `UNEQUAL`: they may differ in length.
-pub(crate) struct Stream<'a, F: Frame, const UNEQUAL: bool> {
+pub(crate) struct Stream<'a, F: Frame, K, const UNEQUAL: bool> {
     /// Where it stands.
     pub place: Place<'a, F, UNEQUAL>,
     /// The stored samples.
@@ -78,12 +78,12 @@ pub(crate) struct Stream<'a, F: Frame, const UNEQUAL: bool> {
     pub excess: &'a [F::Real],
     /// Durations and order.
     pub timing: &'a Timing<F::Real>,
-    /// The window's numbers.
-    pub window: &'a Numbers,
+    /// Its window.
+    pub window: K,
 }
 
 /// The room of a stream whose samples may differ in length.
-pub(crate) struct Room<'a, F: Frame> {
+pub(crate) struct Room<'a, F: Frame, K> {
     /// Position, velocity, attitude and gravity.
     pub frame: &'a mut F,
     /// Room for samples.
@@ -97,12 +97,12 @@ pub(crate) struct Room<'a, F: Frame> {
     /// Durations and order.
     pub timing: &'a Timing<F::Real>,
     /// Its window.
-    pub window: &'a AnyWindow<F::Real>,
+    pub window: K,
 }
 
-impl<'a, F: Frame> Room<'a, F> {
-    /// Takes a sample and integrates the blocks that it completes: one copy of the code for all windows and
-    /// readers of a frame.
+impl<'a, F: Frame, K: Layout<F::Real>> Room<'a, F, K> {
+    /// Takes a sample and integrates the blocks that it completes: one copy of the code for all readers, and for
+    /// all windows that are chosen at run time.
     #[inline(never)]
     pub fn take(
         mut self,
@@ -125,14 +125,13 @@ impl<'a, F: Frame> Room<'a, F> {
         } else if self.progress.pending < reach {
             return Ok(());
         }
-        let window = self.window;
         let mut stream = self.stream();
         if past < shape.history {
             // The first block needs no history.
             stream.edge_block::<dyn Read<F>>(past, shape.block, first, read);
         }
         while stream.place.progress.pending >= reach {
-            stream.block(window, read);
+            stream.block(read);
         }
         Ok(())
     }
@@ -150,42 +149,36 @@ impl<'a, F: Frame> Room<'a, F> {
             self.progress,
             shape.block,
             sample,
+            drop_first,
         );
         let kept = self.excess.get_mut(..stored).unwrap_or(&mut []);
-        if drop <= kept.len() {
-            kept.copy_within(drop.., 0);
-        }
+        drop_first(kept, drop);
         if let Some(slot) = kept.get_mut(self.progress.filled.saturating_sub(1)) {
             *slot = excess;
         }
     }
 
-    fn stream(self) -> Stream<'a, F, true> {
+    fn stream(self) -> Stream<'a, F, K, true> {
         let Self { frame, samples, excess, progress, history_s, timing, window } = self;
         let place = Place { frame, progress, history_s };
-        Stream { place, samples, excess, timing, window: window.numbers() }
+        Stream { place, samples, excess, timing, window }
     }
 }
 
-/// Stores a sample, dropping the oldest ones a block at a time; gives how many those were.
+/// Stores a sample, dropping the oldest ones a block at a time by a function; gives how many those were.
 #[inline(always)]
-#[expect(
-    clippy::indexing_slicing,
-    reason = "the loop ends at the length, and a copy in one call takes longer"
-)]
 pub(super) fn store<R: Real>(
     samples: &mut [Increment<R>],
     progress: &mut Progress<R>,
     block: usize,
     sample: Increment<R>,
+    drop_first: impl FnOnce(&mut [Increment<R>], usize),
 ) -> usize {
     let mut drop = 0;
     if progress.filled >= samples.len() {
         // After an early `finish`, more than a block's length may still be pending.
-        drop = block.min(progress.filled - progress.pending);
-        for from in drop..samples.len() {
-            samples[from - drop] = samples[from];
-        }
+        drop = block.min(progress.past());
+        drop_first(samples, drop);
         progress.filled = samples.len() - drop;
     }
     if let Some(slot) = samples.get_mut(progress.filled) {
@@ -196,20 +189,27 @@ pub(super) fn store<R: Real>(
     drop
 }
 
-impl<F: Frame> Stream<'_, F, true> {
+/// Moves what follows the first `count` to the front.
+fn drop_first<T: Copy>(slots: &mut [T], count: usize) {
+    if count <= slots.len() {
+        slots.copy_within(count.., 0);
+    }
+}
+
+impl<F: Frame, K: Layout<F::Real>> Stream<'_, F, K, true> {
     /// A block within the stream.
-    fn block(&mut self, window: &AnyWindow<F::Real>, read: &mut dyn Read<F>) {
-        let &Numbers { shape, .. } = self.window;
+    fn block(&mut self, read: &mut dyn Read<F>) {
+        let &Numbers { shape, .. } = self.window.numbers();
         if self.is_nominal(shape.history, shape.samples()) {
-            self.whole_block(window, read);
+            self.whole_block(read);
         } else {
             self.unequal_block::<dyn Read<F>>(shape, false, read);
         }
     }
 
     /// A block whose samples last the nominal interval.
-    fn whole_block(&mut self, window: &AnyWindow<F::Real>, read: &mut dyn Read<F>) {
-        let &Numbers { shape, beside, .. } = self.window;
+    fn whole_block(&mut self, read: &mut dyn Read<F>) {
+        let &Numbers { shape, beside, .. } = self.window.numbers();
         let end = self.place.progress.past() + shape.block + shape.lookahead;
         let seen = self.samples.get(..end).unwrap_or(&[]);
         // The samples before the window are used if they are there and have the same interval.
@@ -221,14 +221,15 @@ impl<F: Frame> Stream<'_, F, true> {
         let how = Integration { half_time_s: block.half, order: *order, two_float: F::TWO_FLOAT };
         let place = &mut self.place;
         let interval = self.timing.interval.hi;
-        let integrated = window.integrate(seen, begin, &how, &mut |body, series, used| {
+        let integrated = self.window.integrate(seen, begin, &how, |body, series, used| {
             if let Some(used) = used {
                 place.progress.edges.last = used;
             }
             let crossed = (block, &[] as &[F::Real]);
             place.step_any(crossed, interval, shape.block, body, series, read);
         });
-        if !integrated {
+        let behind = shape.lookahead == 0 && shape.history > 0;
+        if behind && !integrated {
             self.edge_block::<dyn Read<F>>(shape.history, shape.block, shape.samples(), read);
         }
     }

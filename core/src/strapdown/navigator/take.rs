@@ -5,7 +5,7 @@ use super::stream::{Place, Room, Stream, store};
 use super::{State, Strapdown};
 use crate::math::real::Real;
 use crate::sample::Increment;
-use crate::strapdown::block::any_window::Numbers;
+use crate::strapdown::block::any_window::Known;
 use crate::strapdown::block::intervals::Intervals as _;
 use crate::strapdown::block::window::Window;
 use crate::strapdown::frame::Frame;
@@ -28,7 +28,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         if state.progress.pending <= W::LOOKAHEAD {
             state.frame.check_place()?;
         }
-        store(state.samples.as_mut(), &mut state.progress, W::BLOCK, sample);
+        store(state.samples.as_mut(), &mut state.progress, W::BLOCK, sample, drop_first);
         let past = state.progress.past();
         if EDGES && past < W::HISTORY {
             if state.progress.filled < W::FIRST {
@@ -43,8 +43,6 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         Ok(())
     }
 
-    /// One copy of the code for all readers.
-    #[inline(never)]
     fn take_any(
         &self,
         state: &mut State<F, W>,
@@ -52,13 +50,12 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         excess: R,
         read: &mut dyn Read<F>,
     ) -> Result<(), Rejected> {
-        let window = W::any();
+        let window = Known(W::default());
         let (frame, progress, timing) = (&mut state.frame, &mut state.progress, &self.timing);
         let (samples, kept) = (state.samples.as_mut(), state.intervals.kept_mut());
         // A window for samples of any length keeps their intervals.
         kept.map_or(Ok(()), |(kept, history_s)| {
-            let room =
-                Room { frame, samples, excess: kept, progress, history_s, timing, window: &window };
+            let room = Room { frame, samples, excess: kept, progress, history_s, timing, window };
             room.take(sample, excess, read)
         })
     }
@@ -66,11 +63,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
     /// Integrates all pending samples.
     pub(super) fn end(&self, state: &mut State<F, W>, read: &mut impl Read<F>) {
         if let Some((kept, history_s)) = state.intervals.kept_mut() {
-            let window = W::any();
+            let window = Known(W::default());
             let (frame, progress, timing) = (&mut state.frame, &mut state.progress, &self.timing);
             let samples = state.samples.as_mut();
-            let room =
-                Room { frame, samples, excess: kept, progress, history_s, timing, window: &window };
+            let room = Room { frame, samples, excess: kept, progress, history_s, timing, window };
             room.finish(read);
         } else {
             self.stream(state, &mut { R::ZERO }).last_blocks(read);
@@ -83,10 +79,10 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         &'a self,
         state: &'a mut State<F, W>,
         history_s: &'a mut R,
-    ) -> Stream<'a, F, false> {
+    ) -> Stream<'a, F, Known<W>, false> {
         let State { frame, samples, progress, .. } = state;
         let place = Place { frame, progress, history_s };
-        let window = const { &Numbers::of::<W>() };
+        let window = Known(W::default());
         Stream { place, samples: (*samples).as_ref(), excess: &[], timing: &self.timing, window }
     }
 
@@ -117,5 +113,17 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
             let mut place = self.stream(state, history_s).place;
             place.step::<false, _>((time, &[]), interval, W::BLOCK, &body, &series, read);
         }
+    }
+}
+
+/// Moves what follows the first `count` to the front.
+#[inline(always)]
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the loop ends at the length, and a copy in one call takes longer"
+)]
+fn drop_first<R: Real>(samples: &mut [Increment<R>], count: usize) {
+    for from in count..samples.len() {
+        samples[from - count] = samples[from];
     }
 }

@@ -1,13 +1,13 @@
 //! Blocks of samples that differ in length: rare, hence out of line, and linked only if used.
 
-use super::rows::{Blocks, Every, Read, Unread};
+use super::rows::{Blocks, Chosen, Every, Read, Unread};
 use super::stream::{Place, Stream};
 use super::{State, Strapdown};
 use crate::math::compensated::Pair;
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::strapdown::block::abscissae::Spaced;
-use crate::strapdown::block::any_window::Numbers;
+use crate::strapdown::block::any_window::{Layout, Numbers};
 use crate::strapdown::block::body::{self, BodyMotion, Sum};
 use crate::strapdown::block::fit::{Fit, MOST_SAMPLES};
 use crate::strapdown::block::intervals::Intervals as _;
@@ -52,7 +52,12 @@ fn sum<R: Real>(samples: &[Increment<R>], two_float: bool) -> Sum<R> {
     Sum::rounded(samples.iter().fold(Increment::ZERO, add))
 }
 
-impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Stream<'_, F, UNEQUAL> {
+impl<R, F, K, const UNEQUAL: bool> Stream<'_, F, K, UNEQUAL>
+where
+    R: Real,
+    F: Frame<Real = R>,
+    K: Layout<R>,
+{
     /// Whether the `all` samples from the `history`-th before the block on last the nominal interval.
     #[inline]
     pub fn is_nominal(&self, history: usize, all: usize) -> bool {
@@ -65,7 +70,7 @@ impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Stream<'_, F, UNEQUAL> {
     /// A block of `block` samples with `history` before it and `lookahead` after it; `edge` at the first
     /// and the last ones.
     #[inline(never)]
-    pub fn unequal_block<Q: Read<F> + ?Sized>(
+    pub fn unequal_block<Q: Chosen<F> + ?Sized>(
         &mut self,
         WindowShape { history, block, lookahead }: WindowShape,
         edge: bool,
@@ -92,7 +97,7 @@ impl<R: Real, F: Frame<Real = R>, const UNEQUAL: bool> Stream<'_, F, UNEQUAL> {
             block,
             time_s: time.time,
         };
-        let &Numbers { shape, coefficients, .. } = self.window;
+        let &Numbers { shape, coefficients, .. } = self.window.numbers();
         let near = (!edge && coefficients < shape.samples()).then_some(coefficients);
         let fit = spaced.fit(near);
         let sum = sum(samples.get(own).unwrap_or(&[]), F::TWO_FLOAT);

@@ -72,6 +72,13 @@ pub struct AnyWindow<R: Real> {
     whole: Whole<R>,
 }
 
+#[cfg(feature = "defmt")]
+impl<R: Real> defmt::Format for AnyWindow<R> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        self.numbers.format(f);
+    }
+}
+
 impl<R: Real> AnyWindow<R> {
     /// From its type.
     pub const fn of<W: Window>() -> Self {

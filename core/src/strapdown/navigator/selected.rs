@@ -51,6 +51,7 @@ use crate::strapdown::plausible::Damaged;
 
 /// Configuration of a navigator in frame `F` with any window.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Selected<F: Frame> {
     timing: Timing<F::Real>,
     gate: Gate<F::Real>,
@@ -59,6 +60,7 @@ pub struct Selected<F: Frame> {
 
 /// Its state.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SelectedState<F: Frame> {
     frame: F,
     samples: [Increment<F::Real>; MOST_STORED],

@@ -7,7 +7,7 @@
 //!
 //! The first sample is read as it is, and y begins with its mean.
 
-use super::sources::Bias;
+use super::bias::Bias;
 
 /// The lag of a bias that moves.
 #[derive(Clone, Copy, Debug, PartialEq)]

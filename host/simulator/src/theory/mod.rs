@@ -7,6 +7,7 @@
 //! on the motion alone, since noise arises behind it. Their products with other errors are small, and left out.
 //! [`Theory::outside`] tells when the model no longer applies.
 
+mod bias;
 mod course;
 mod lag;
 mod limits;

@@ -1,6 +1,7 @@
 //! A scene's sensor errors in the linear model: a systematic part that determines the mean, and
 //! independent scalar processes that determine the covariance.
 
+use super::bias::Bias;
 use super::lag::{self, Lag};
 use crate::scene::felt::Felt;
 use crate::scene::terms::{Source, TERMS, Term};
@@ -14,35 +15,6 @@ use std::mem;
 
 /// The six sensors: gyros x, y, z, then accelerometers x, y, z.
 pub const SENSORS: usize = 6;
-
-/// A random bias b of one sensor: E[b²] = variance + walk·t, decaying as e^{−t/T}. What white noise becomes behind a
-/// bandwidth begins with the first sample's, and E[b²] = variance + early·e^{−2t/T} after it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bias {
-    /// Which of the six sensors.
-    pub sensor: usize,
-    /// At the start, (angle/s)².
-    pub variance: f64,
-    /// Growth of the variance, (angle/s)²/s.
-    pub walk: f64,
-    /// T, s; infinite for a bias that stays.
-    pub correlation_s: f64,
-    /// Whether it is white noise behind a bandwidth.
-    pub is_filtered: bool,
-    /// By how much the variance begins above, (angle/s)².
-    pub early: f64,
-}
-
-impl Bias {
-    /// E[b²] at a time, and so long after the first sample, s.
-    pub fn square(&self, time_s: f64, after_s: f64) -> f64 {
-        let variance = self.variance + self.walk * time_s;
-        match self.is_filtered {
-            true => variance + self.early * (-2.0 * after_s / self.correlation_s).exp(),
-            false => variance,
-        }
-    }
-}
 
 /// All error sources of a scene.
 #[derive(Clone, Debug)]

@@ -1,10 +1,11 @@
-//! The paper's flight with its sensor errors, many times: does the drift scatter as theory says?
+//! Flights with sensor errors, many times: does the drift scatter as theory says?
 
 use schuler_simulator::flight::Instant;
-use schuler_simulator::scene::builtin;
+use schuler_simulator::scene::{GaussMarkov, builtin};
 use schuler_simulator::simulate;
 use schuler_simulator::theory::Theory;
 use schuler_simulator::units::ARCSECOND;
+use schuler_tests::at_rest;
 
 const SEEDS: u64 = 64;
 const TIMES_S: [f64; 3] = [300.0, 900.0, 1800.0];
@@ -78,4 +79,50 @@ fn the_papers_drift_scatters_about_theorys_mean_as_theory_says() {
             assert!((low..high).contains(sum), "component {i} at {} s: χ² = {sum}", TIMES_S[t]);
         }
     }
+}
+
+/// Noise behind slow sensors, at times from less than their lag to many times it.
+#[test]
+fn noise_behind_a_bandwidth_scatters_as_theory_says() {
+    const RUNS: u64 = 250;
+    const TIMES_S: [f64; 4] = [2.0, 5.0, 12.0, 40.0];
+    let mut scene = at_rest(40.0);
+    for (errors, size, frequency_hz) in [
+        (&mut scene.gyro, 1e-6, [0.1, 0.3, 1.0]),
+        (&mut scene.accelerometer, 1e-4, [0.05, 0.1, 2.0]),
+    ] {
+        errors.white = Some([2.0 * size; 3]);
+        errors.gauss_markov =
+            Some(GaussMarkov { rms: [3.0 * size; 3], correlation_s: [0.4, 3.0, 20.0] });
+        errors.bias_instability = Some([size; 3]);
+        errors.random_walk = Some([0.3 * size; 3]);
+        errors.turn_on = Some([0.5 * size; 3]);
+        errors.bandwidth = Some(frequency_hz);
+    }
+    // The same runs refute a theory that knows no bandwidth.
+    let mut quick = scene.clone();
+    (quick.gyro.bandwidth, quick.accelerometer.bandwidth) = (None, None);
+    let covariances = [&scene, &quick].map(|scene| {
+        let mut theory = Theory::new(scene).unwrap();
+        TIMES_S.map(|time_s| theory.covariance(time_s))
+    });
+    let mut joint = [[0.0; TIMES_S.len()]; 2];
+    for seed in 1..=RUNS {
+        scene.seed = seed;
+        let mut observe = |instant: &Instant| {
+            let place = TIMES_S.iter().position(|&t| (t - instant.time_s).abs() < 1e-9);
+            if let Some(t) = place {
+                for (sum, covariances) in joint.iter_mut().zip(&covariances) {
+                    sum[t] += mahalanobis(&deviation(instant), &covariances[t]);
+                }
+            }
+            Ok(())
+        };
+        simulate::fly(&scene, false, &mut observe, &|_| {}).unwrap();
+    }
+    let (low, high) = bounds(9.0 * RUNS as f64);
+    let [with, without] = joint;
+    println!("χ² = {with:.0?} of {low:.0} … {high:.0}; without bandwidth {without:.0?}");
+    assert!(with.iter().all(|sum| (low..high).contains(sum)), "{with:?} of {low} … {high}");
+    assert!(without.iter().all(|sum| !(low..high).contains(sum)), "{without:?}");
 }

@@ -105,3 +105,120 @@ fn quantization_is_bounded_and_drives_the_next_integral() {
         near(sigma.position_ned.z, q * (0.05 * t).sqrt(), 1e-3, "position");
     }
 }
+
+/// Variances of velocity and position by the discrete recursion of `schuler::sensor::bandwidth` for white noise.
+fn white_behind_a_lag(n: f64, lag_s: f64, interval_s: f64, samples: usize) -> [f64; 2] {
+    let h = interval_s / lag_s;
+    let u = 1.0 - (-h).exp();
+    // Covariance of follower, velocity, position.
+    let mut p = [[0.0; 3]; 3];
+    for sample in 0..samples {
+        let first = sample == 0;
+        let (keep, share) = if first { (0.0, 0.0) } else { (1.0 - u, u / h) };
+        // out = X + share(Y − X); Y += u(X − Y); v += out; x += Δt(v + out/2)
+        let a = [[keep, 0.0, 0.0], [share, 1.0, 0.0], [0.5 * interval_s * share, interval_s, 1.0]];
+        let b = [1.0 - keep, 1.0 - share, 0.5 * interval_s * (1.0 - share)];
+        let q = n * n * interval_s;
+        p = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let turned: f64 = (0..9).map(|k| a[i][k / 3] * p[k / 3][k % 3] * a[j][k % 3]).sum();
+                turned + b[i] * b[j] * q
+            })
+        });
+    }
+    [p[1][1], p[2][2]]
+}
+
+/// The same of a bias that moves, in steps so short that the integral is one.
+fn bias_behind_a_lag(start: f64, density: f64, decay: f64, lag_s: f64, time_s: f64) -> [f64; 2] {
+    let step = 2e-4;
+    // Covariance of b, y, velocity, position; b′ = −decay·b + noise, y′ = (b − y)/T.
+    let mut p = [[0.0; 4]; 4];
+    (p[0][0], p[0][1], p[1][0], p[1][1]) = (start, start, start, start);
+    let f = [
+        [-decay, 0.0, 0.0, 0.0],
+        [1.0 / lag_s, -1.0 / lag_s, 0.0, 0.0],
+        [0.0, 1.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 0.0],
+    ];
+    let rate = |p: &[[f64; 4]; 4]| -> [[f64; 4]; 4] {
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let grown: f64 = (0..4).map(|k| f[i][k] * p[k][j] + p[i][k] * f[j][k]).sum();
+                grown + if (i, j) == (0, 0) { density } else { 0.0 }
+            })
+        })
+    };
+    for _ in 0..(time_s / step).round() as usize {
+        // The midpoint rule.
+        let k = rate(&p);
+        let middle: [[f64; 4]; 4] =
+            std::array::from_fn(|i| std::array::from_fn(|j| p[i][j] + 0.5 * step * k[i][j]));
+        let k = rate(&middle);
+        for (p, k) in p.as_flattened_mut().iter_mut().zip(k.as_flattened()) {
+            *p += step * k;
+        }
+    }
+    [p[2][2], p[3][3]]
+}
+
+#[test]
+fn white_noise_behind_a_bandwidth() {
+    for frequency_hz in [0.01, 0.1, 0.5, 2.0, 1e3] {
+        let mut scene = at_rest(60.0);
+        let n = 1e-3;
+        scene.accelerometer.white = Some([0.0, 0.0, n]);
+        scene.accelerometer.bandwidth = Some([frequency_hz; 3]);
+        let mut theory = Theory::new(&scene).unwrap();
+        let lag_s = 1.0 / (2.0 * PI * frequency_hz);
+        for t in TIMES {
+            let samples = (t * scene.rate_hz).round() as usize;
+            let [velocity, position] = white_behind_a_lag(n, lag_s, 1.0 / scene.rate_hz, samples);
+            let sigma = theory.at(t).sigma;
+            let what = format!("f {frequency_hz}, t {t}");
+            near(sigma.velocity_ned.z, velocity.sqrt(), 4e-3, &what);
+            if t > 0.2 {
+                near(sigma.position_ned.z, position.sqrt(), 4e-3, &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn biases_behind_a_bandwidth() {
+    for (frequency_hz, correlation_s) in
+        [(0.1, 0.2), (0.1, 3.0), (0.02, 1.0), (1.0, 0.5), (0.5, 40.0)]
+    {
+        let lag_s = 1.0 / (2.0 * PI * frequency_hz);
+        let mut scene = at_rest(60.0);
+        // So that the first sample is short.
+        scene.rate_hz = 1000.0;
+        let rms = 1e-3;
+        scene.accelerometer.gauss_markov =
+            Some(GaussMarkov { rms: [0.0, 0.0, rms], correlation_s: [correlation_s; 3] });
+        scene.accelerometer.bandwidth = Some([frequency_hz; 3]);
+        let mut theory = Theory::new(&scene).unwrap();
+        let mut walking = at_rest(60.0);
+        walking.rate_hz = 1000.0;
+        walking.accelerometer.random_walk = Some([0.0, 0.0, rms]);
+        walking.accelerometer.bandwidth = Some([frequency_hz; 3]);
+        let mut walk = Theory::new(&walking).unwrap();
+        for t in &TIMES[1..] {
+            let what = format!("f {frequency_hz}, T {correlation_s}, t {t}");
+            let density = 2.0 * rms * rms / correlation_s;
+            let [velocity, position] =
+                bias_behind_a_lag(rms * rms, density, 1.0 / correlation_s, lag_s, *t);
+            let sigma = theory.at(*t).sigma;
+            near(sigma.velocity_ned.z, velocity.sqrt(), 5e-3, &what);
+            near(sigma.position_ned.z, position.sqrt(), 5e-3, &what);
+            // Before that the first sample, which the bandwidth takes as it is, is a good part of it.
+            if *t < 4.0 * lag_s {
+                continue;
+            }
+            let [velocity, position] = bias_behind_a_lag(0.0, rms * rms, 0.0, lag_s, *t);
+            let sigma = walk.at(*t).sigma;
+            near(sigma.velocity_ned.z, velocity.sqrt(), 5e-3, &what);
+            near(sigma.position_ned.z, position.sqrt(), 5e-3, &what);
+        }
+    }
+}

@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use schuler_host::cli::{EnsembleArgs, Times};
 use schuler_host::ensemble::conclusion::{self, command, threads};
+use schuler_host::ensemble::files::Extra;
 use schuler_host::ensemble::findings::{At, Findings};
 use schuler_host::ensemble::sentences::sentences;
 use schuler_host::ensemble::spread::Matrix;
@@ -168,6 +169,7 @@ pub fn ensemble(
         at: times(at)?.unwrap_or(TIMES),
         out: None,
         keep: false,
+        svg: false,
         budget: count("--budget", budget)?,
         shard: None,
         resume: false,
@@ -220,7 +222,7 @@ impl Found {
         let text = conclusion::text(&ground, &kept, &findings, &sentences);
         let readings = kept.flown.readings.iter();
         let times_s = readings.map(|reading| source.time_s(reading.samples)).collect();
-        let (window, command) = (ground.plan.window, command(args, false, args.budget));
+        let (window, command) = (ground.plan.window, command(args, Extra::default(), args.budget));
         Ok(Self { kept, times_s, findings, sentences, command, window, text, scene })
     }
 

@@ -1,4 +1,4 @@
-//! Drawing into an SVG that takes its colours from the page around it.
+//! Drawing into an SVG: a file of its own, or an element that takes its colours from the page around it.
 
 use crate::canvas::{Anchor, Canvas, Ink, Lettering, Point, Stroke};
 use std::fmt::Write;
@@ -15,6 +15,23 @@ impl Svg {
         format!("<svg viewBox=\"0 0 {width} {height}\" {attributes}>{}</svg>\n", self.body)
     }
 
+    /// A file of its own, on light paper.
+    pub fn document(self, width: u32, height: u32) -> String {
+        let class = |ink: Ink| {
+            let [r, g, b] = ink.light();
+            format!(".i-{} {{ color: #{r:02x}{g:02x}{b:02x}; }}\n", ink.name())
+        };
+        let colours: String = Ink::ALL.map(class).concat();
+        let sheet =
+            "<rect class=\"i-paper\" width=\"100%\" height=\"100%\" fill=\"currentColor\"/>";
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\" font-family=\"Noto Sans, Helvetica, Arial, sans-serif\">\n\
+             <style>\n{colours}</style>\n{sheet}{}</svg>\n",
+            self.body
+        )
+    }
+
     /// Starts a path element. Writing to a String cannot fail.
     fn path(&mut self, name: &str, points: &[Point], ink: Ink) {
         let _ = write!(self.body, "<path class=\"i-{}\"", ink.name());
@@ -22,9 +39,15 @@ impl Svg {
             let _ = write!(self.body, " data-name=\"{}\"", escape(name));
         }
         self.body.push_str(" d=\"");
-        for (i, point) in points.iter().enumerate() {
+        let mut is_open = false;
+        for point in points {
             let [x, y] = point.map(|value| (value * 10.0).round() / 10.0);
-            let _ = write!(self.body, "{}{x} {y}", if i == 0 { 'M' } else { 'L' });
+            // What is not known is left out.
+            let is_known = x.is_finite() && y.is_finite();
+            if is_known {
+                let _ = write!(self.body, "{}{x} {y}", if is_open { 'L' } else { 'M' });
+            }
+            is_open = is_known;
         }
     }
 }
@@ -90,6 +113,20 @@ pub fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_document_is_xml_with_its_own_colours() {
+        let mut svg = Svg::default();
+        let gap = [[0.0, 1.0], [f32::NAN, 2.0], [3.0, 4.0]];
+        svg.line("a & b", &gap, Ink::North, Stroke::solid(1.0));
+        let text = svg.document(20, 10);
+        assert!(
+            text.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"")
+                && text.ends_with("</svg>\n")
+        );
+        assert!(text.contains("d=\"M0 1M3 4\"") && text.contains("a &amp; b"), "{text}");
+        assert!(text.contains(".i-north { color: #0067ad; }") && !text.contains("NaN"), "{text}");
+    }
 
     #[test]
     fn text_cannot_become_markup() {

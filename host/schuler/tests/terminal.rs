@@ -28,6 +28,10 @@ fn tables_fit_80_columns() {
         "stress --case subnormal",
         "frontier --quick --scene stationary --rate 20",
         "audit sensitivity paper --duration 20",
+        "align align-still --for 60",
+        "run aided-drive --duration 60 --no-report --out aided",
+        "ensemble aided-drive --runs 4 --duration 60 --out many",
+        "scenes",
         &format!("{chains} --out chains"),
         "audit verify chains",
         "trajectory drive",
@@ -36,11 +40,51 @@ fn tables_fit_80_columns() {
     ] {
         let done = schuler(folder, line);
         assert!(done.status.success(), "{line}: {}", text(&done.stderr));
-        // A table's lines are those with a gap; a sentence is broken by the terminal.
-        for told in text(&done.stdout).lines().filter(|told| told.trim().contains("   ")) {
+        // Only a path without a blank may be longer.
+        for told in text(&done.stdout).lines().filter(|told| told.trim().contains(' ')) {
             assert!(told.chars().count() <= 80, "{line}: {} columns: {told}", told.chars().count());
         }
+        // Progress is for a terminal, which the error stream is not.
+        let said = text(&done.stderr);
+        assert!(
+            !said.contains('\r') && !said.contains(" done, ") && !said.contains(" left"),
+            "{said}"
+        );
     }
+}
+
+#[test]
+fn documents_are_printed_as_they_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = text(&schuler(folder.path(), "scenes paper").stdout);
+    let scene = schuler_simulator::scene::builtin::text("paper").unwrap();
+    assert_eq!(told, scene);
+    let keys = text(&schuler(folder.path(), "scenes --keys").stdout);
+    assert!(keys == schuler_simulator::scene::keys::reference());
+}
+
+#[test]
+fn a_picture_for_documents_is_written_where_it_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for (line, file) in [
+        ("run paper --duration 20 --svg --out run", "run/drift.svg"),
+        ("ensemble paper --runs 8 --duration 60 --svg --out runs", "runs/ensemble.svg"),
+        ("allan paper --duration 600 --svg --out allan", "allan/allan.svg"),
+    ] {
+        let done = schuler(folder, line);
+        assert!(done.status.success(), "{line}: {}", text(&done.stderr));
+        let picture = fs::read_to_string(folder.join(file)).unwrap();
+        assert!(picture.starts_with("<svg xmlns=") && picture.ends_with("</svg>\n"), "{file}");
+        assert!(picture.matches("<path").count() > 20 && !picture.contains("NaN"), "{file}");
+        // Without the option an earlier one does not stay beside what is new.
+        if file.starts_with("run") {
+            let again = schuler(folder, &line.replace(" --svg", ""));
+            assert!(again.status.success() && !folder.join(file).exists(), "{line}");
+        }
+    }
+    let refused = schuler(folder, "allan paper --svg");
+    assert_eq!(refused.status.code(), Some(2));
 }
 
 #[test]

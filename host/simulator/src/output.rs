@@ -9,6 +9,7 @@
 //! | `table` | CSV files |
 //! | `stop` | what is removed when the program is told to stop |
 //! | [`heard`] | what is said while somebody listens |
+//! | [`wrap`] | sentences that fit the terminal |
 
 mod aside;
 mod file;
@@ -17,6 +18,7 @@ pub mod heard;
 pub mod stop;
 mod table;
 mod way;
+pub mod wrap;
 
 pub use file::{OutputFile, place};
 pub use growing::GrowingFile;
@@ -26,8 +28,16 @@ use crate::input::{Complaint, InputError};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Prints a text, unless it is [overheard](heard::overheard); nobody listening any more is the end of the program, not an error.
+/// Says a text for people, its sentences broken to the terminal's width, unless it is [overheard](heard::overheard).
 pub fn say(text: &str) -> Result<(), InputError> {
+    if heard::hears(text) {
+        return Ok(());
+    }
+    print(&wrap::wrapped(text, wrap::columns()))
+}
+
+/// Prints a document, such as a scene, as it is. Nobody listening any more is the end of the program, not an error.
+pub fn print(text: &str) -> Result<(), InputError> {
     if heard::hears(text) {
         return Ok(());
     }

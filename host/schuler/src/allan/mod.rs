@@ -2,6 +2,7 @@
 
 mod csv;
 mod page;
+mod plot;
 mod table;
 
 use crate::cli::AllanArgs;
@@ -100,17 +101,22 @@ pub fn allan(args: &AllanArgs) -> Result<(), FlightError> {
     let files = args.files()?;
     let (title, record) = measure(args, scene.as_ref())?;
     let files = files.map(|files| -> Result<_, InputError> {
-        let [csv, page, toml] = files.map(OutputFile::create);
-        Ok([csv?, page?, toml?])
+        files.into_iter().map(OutputFile::create).collect::<Result<Vec<_>, _>>()
     });
     let files = files.transpose()?;
     let findings = Findings::new(title, record, scene.as_ref(), args.imu.is_some())?;
     let mut text = findings.text.clone();
-    if let (Some([mut csv, mut page, mut toml]), Some(folder)) = (files, &args.out) {
-        csv.put(csv::bytes(&findings.axes))?;
-        page.put(findings.page())?;
-        toml.put(&findings.sections)?;
-        output::place(vec![csv, page, toml], &[])?;
+    if let (Some(mut files), Some(folder)) = (files, &args.out) {
+        let contents = [
+            csv::bytes(&findings.axes),
+            findings.page().into_bytes(),
+            findings.sections.clone().into_bytes(),
+            plot::svg(&findings.title, &findings.axes).into_bytes(),
+        ];
+        for (file, content) in files.iter_mut().zip(contents) {
+            file.put(content)?;
+        }
+        output::place(files, &[])?;
         text += &format!("\nwritten to {}\n", folder.display());
     }
     say(&text)?;

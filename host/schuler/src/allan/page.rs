@@ -11,8 +11,10 @@ use schuler_report::svg::escape;
 use schuler_simulator::allan::TRIADS;
 use schuler_simulator::allan::verdict::Verdict;
 
-const INKS: [Ink; 3] = [Ink::North, Ink::East, Ink::Down];
-const AXES: [&str; 3] = ["x", "y", "z"];
+/// The colours of x, y, z.
+pub const INKS: [Ink; 3] = [Ink::North, Ink::East, Ink::Down];
+/// Their names.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The page; the text is that of the terminal.
 pub fn page(title: &str, text: &str, axes: &[Option<Axis>; 6]) -> String {

@@ -30,6 +30,9 @@ pub struct AllanArgs {
     /// Folder for allan.csv, allan.html and sensors.toml [default: none is written]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Write allan.svg, too: the charts for documents
+    #[arg(long, requires = "out")]
+    pub svg: bool,
     /// What replaces the scene's own values; --rate states that of a recording.
     #[command(flatten)]
     pub flight: FlightOptions,
@@ -67,12 +70,14 @@ impl AllanArgs {
     }
 
     /// The files that are written, into a folder.
-    pub fn files(&self) -> Result<Option<[PathBuf; 3]>, InputError> {
+    pub fn files(&self) -> Result<Option<Vec<PathBuf>>, InputError> {
         let Some(folder) = &self.out else { return Ok(None) };
-        let files = ["allan.csv", "allan.html", "sensors.toml"].map(|name| folder.join(name));
+        let names = ["allan.csv", "allan.html", "sensors.toml", "allan.svg"];
+        let names = &names[..if self.svg { 4 } else { 3 }];
+        let files: Vec<_> = names.iter().map(|name| folder.join(name)).collect();
         let written: Vec<_> = files
             .iter()
-            .zip(["allan.csv", "allan.html", "sensors.toml"])
+            .zip(names)
             .map(|(path, what)| Written { option: "--out", what, path: path.clone() })
             .collect();
         let mut read: Vec<(&str, &Path)> = Vec::new();

@@ -38,6 +38,9 @@ pub struct EnsembleArgs {
     /// Write runs.csv, too: the drift of every run at the times that are read (of shards, `merge` does)
     #[arg(long, conflicts_with = "shard")]
     pub keep: bool,
+    /// Write ensemble.svg, too: standard deviations beside theory's, for documents
+    #[arg(long, conflicts_with = "shard")]
+    pub svg: bool,
     /// Fly this many runs with each error term switched off, too: what it contributes [default with the option: 256]
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = BUDGET, conflicts_with = "shard", allow_negative_numbers = true, value_parser = options::runs)]
     pub budget: Option<u64>,
@@ -87,6 +90,9 @@ pub struct MergeArgs {
     /// Write runs.csv, too: the drift of every run at the times that are read
     #[arg(long)]
     pub keep: bool,
+    /// Write ensemble.svg, too: standard deviations beside theory's, for documents
+    #[arg(long)]
+    pub svg: bool,
     /// Fly this many runs with each error term switched off: what it contributes [default with the option: 256]
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = BUDGET, allow_negative_numbers = true, value_parser = options::runs)]
     pub budget: Option<u64>,

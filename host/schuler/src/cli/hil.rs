@@ -89,7 +89,7 @@ impl HilArgs {
 
     /// What is written of it.
     pub fn wanted(&self) -> Wanted {
-        Wanted { every: self.every, report: !self.no_report, rows: self.rows, run: 0 }
+        Wanted { every: self.every, report: !self.no_report, rows: self.rows, ..Wanted::default() }
     }
 
     /// How it is flown.

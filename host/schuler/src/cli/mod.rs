@@ -119,6 +119,9 @@ pub struct RunArgs {
     /// Write no report.html and no drift.png
     #[arg(long)]
     pub no_report: bool,
+    /// Write drift.svg, too: the charts of drift.png for documents
+    #[arg(long)]
+    pub svg: bool,
     /// Write nav.csv and truth.csv, too: the computed and the true motion, row by row
     #[arg(long)]
     pub rows: bool,
@@ -133,7 +136,13 @@ pub struct RunArgs {
 impl RunArgs {
     /// What is written of it.
     pub fn wanted(&self) -> Wanted {
-        Wanted { every: self.every, report: !self.no_report, rows: self.rows, run: self.number }
+        Wanted {
+            every: self.every,
+            report: !self.no_report,
+            rows: self.rows,
+            svg: self.svg,
+            run: self.number,
+        }
     }
 
     /// The scene, with every option applied.

@@ -1,6 +1,6 @@
 //! The end of an ensemble, flown at once or merged: findings, files, tables, verdict.
 
-use super::files::Files;
+use super::files::{Extra, Files};
 use super::findings::Findings;
 use super::sentences::sentences;
 use super::summary::Outcome;
@@ -26,8 +26,8 @@ pub struct Conclusion<'a> {
     pub whole: &'a EnsembleArgs,
     /// How runs fly.
     pub means: Means<'a>,
-    /// Whether every run's values are written.
-    pub keep: bool,
+    /// What is written besides.
+    pub extra: Extra,
     /// Runs that are flown with each error term switched off.
     pub budget: Option<u64>,
     /// For the files.
@@ -37,9 +37,9 @@ pub struct Conclusion<'a> {
 impl Conclusion<'_> {
     /// The files, not yet in their places; says whose they will replace.
     pub fn files(&self) -> Result<Files, InputError> {
-        let files = Files::create(&self.folder, self.keep)?;
+        let files = Files::create(&self.folder, self.extra)?;
         let program = std::iter::once("schuler".to_owned());
-        let command: Vec<_> = program.chain(command(self.whole, self.keep, self.budget)).collect();
+        let command: Vec<_> = program.chain(command(self.whole, self.extra, self.budget)).collect();
         tell_replaced_by(&self.folder, summary::NAME, &command);
         Ok(files)
     }
@@ -53,8 +53,8 @@ impl Conclusion<'_> {
         note: String,
         served: &[PathBuf],
     ) -> Result<(), FlightError> {
-        let Self { ground, whole, means, keep, budget, folder } = self;
-        let command = command(whole, keep, budget);
+        let Self { ground, whole, means, extra, budget, folder } = self;
+        let command = command(whole, extra, budget);
         let (scene, runs) = (ground.scene, kept.runs.end);
         let findings = Findings::new(ground, &kept, budget, means)?;
         let sentences = sentences(&findings);
@@ -85,10 +85,10 @@ impl Conclusion<'_> {
 }
 
 /// The command of the whole, with what was done beside flying it: an argument each, after the program's name.
-pub fn command(whole: &EnsembleArgs, keep: bool, budget: Option<u64>) -> Vec<String> {
+pub fn command(whole: &EnsembleArgs, extra: Extra, budget: Option<u64>) -> Vec<String> {
     let mut command = whole.whole();
-    if keep {
-        command.push("--keep".to_owned());
+    for (is_wanted, option) in [(extra.keep, "--keep"), (extra.svg, "--svg")] {
+        command.extend(is_wanted.then(|| option.to_owned()));
     }
     if let Some(budget) = budget {
         command.extend(["--budget".to_owned(), budget.to_string()]);

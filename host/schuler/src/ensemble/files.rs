@@ -13,11 +13,23 @@ use summary::Outcome;
 
 /// The drift of every run.
 pub const RUNS: &str = "runs.csv";
+/// Standard deviations over time, for documents.
+pub const SVG: &str = "ensemble.svg";
+
+/// What is written besides tables, page and summary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Extra {
+    /// The drift of every run.
+    pub keep: bool,
+    /// The picture for documents.
+    pub svg: bool,
+}
 
 /// The files under way.
 pub struct Files {
     tables: Vec<OutputFile>,
     runs: Option<OutputFile>,
+    svg: Option<OutputFile>,
     page: OutputFile,
     summary: OutputFile,
     /// Of an earlier ensemble, with nothing to put in its place.
@@ -26,16 +38,26 @@ pub struct Files {
 
 impl Files {
     /// To be in a folder. What cannot be written is found here, before the long work.
-    pub fn create(folder: &Path, keep: bool) -> Result<Self, InputError> {
+    pub fn create(folder: &Path, extra: Extra) -> Result<Self, InputError> {
         let tables = csv::NAMES.iter().map(|name| OutputFile::create(folder.join(name)));
-        let runs = folder.join(RUNS);
         // A file of this name may be anybody's, unless an earlier ensemble says that it is its own.
         let written = head::files_of(&folder.join(summary::NAME));
-        let is_own = written.iter().any(|name| name == RUNS);
+        let one = |is_wanted: bool, name: &str, stale: &mut Vec<PathBuf>| {
+            let path = folder.join(name);
+            if is_wanted {
+                return OutputFile::create(path).map(Some);
+            }
+            stale.extend(written.iter().any(|written| written == name).then_some(path));
+            Ok(None)
+        };
+        let mut stale = Vec::new();
+        let runs = one(extra.keep, RUNS, &mut stale)?;
+        let svg = one(extra.svg, SVG, &mut stale)?;
         Ok(Self {
             tables: tables.collect::<Result<_, _>>()?,
-            stale: if is_own && !keep { vec![runs.clone()] } else { Vec::new() },
-            runs: keep.then(|| OutputFile::create(&runs)).transpose()?,
+            stale,
+            runs,
+            svg,
             page: OutputFile::create(folder.join(page::NAME))?,
             summary: OutputFile::create(folder.join(summary::NAME))?,
         })
@@ -48,7 +70,7 @@ impl Files {
         kept: &Kept,
         time_s: impl Fn(u64) -> f64,
     ) -> Result<(), InputError> {
-        let Self { mut tables, runs, mut page, mut summary, stale } = self;
+        let Self { mut tables, runs, svg, mut page, mut summary, stale } = self;
         let findings = outcome.findings;
         for (file, table) in tables.iter_mut().zip(csv::tables(findings)) {
             file.put(table)?;
@@ -57,6 +79,11 @@ impl Files {
         if let Some(runs) = runs {
             tables.push(every_run(runs, kept, time_s)?);
             names.push(RUNS);
+        }
+        if let Some(mut svg) = svg {
+            svg.put(page::svg(outcome))?;
+            tables.push(svg);
+            names.push(SVG);
         }
         names.extend([page::NAME, summary::NAME]);
         page.put(page::page(outcome))?;

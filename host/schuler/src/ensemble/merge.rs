@@ -1,6 +1,7 @@
 //! `schuler ensemble merge`: the whole of an ensemble from its parts.
 
 use super::conclusion::{Conclusion, threads};
+use super::files::Extra;
 use crate::cli::{EnsembleArgs, MergeArgs};
 use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::Ground;
@@ -47,7 +48,7 @@ pub fn merge(args: &MergeArgs) -> Result<(), FlightError> {
         ground: &ground,
         whole: &whole,
         means,
-        keep: args.keep,
+        extra: Extra { keep: args.keep, svg: args.svg },
         budget: args.budget,
         folder: super::folder(args.out.as_deref(), &scene),
     };

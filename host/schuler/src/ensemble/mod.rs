@@ -45,6 +45,7 @@ pub use check::check;
 
 use crate::cli::{EnsembleArgs, EnsembleCommand, Shard, Times};
 use conclusion::{Conclusion, threads};
+use files::Extra;
 use flying::{Begun, Flown};
 use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::{Ground, Unit};
@@ -93,7 +94,7 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
         ground: &ground,
         whole: args,
         means,
-        keep: args.keep,
+        extra: Extra { keep: args.keep, svg: args.svg },
         budget: args.budget,
         folder,
     };

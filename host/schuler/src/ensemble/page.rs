@@ -3,7 +3,7 @@
 use super::accuracy::Figure;
 use super::summary::Outcome;
 use super::{charts, figures};
-use crate::report::{figures as drawing, head};
+use crate::report::{figures as drawing, head, plot};
 use schuler_report::axis::printed;
 use schuler_report::chart::Chart;
 use schuler_report::interactive::{Interactive, Width};
@@ -35,6 +35,16 @@ pub fn page(outcome: &Outcome) -> String {
         provenance(outcome)
     );
     page::page(&format!("{title}: {runs} runs"), &body)
+}
+
+/// Standard deviations over time as a picture for documents.
+pub fn svg(outcome: &Outcome) -> String {
+    let [runs, _] = outcome.runs;
+    let about = format!(
+        "standard deviation of {runs} runs with its interval of 95 %; theory dashed · seed {}",
+        outcome.scene.seed
+    );
+    plot::svg_of(&outcome.scene.title, &about, &charts::sigma(outcome.findings))
 }
 
 fn headline(outcome: &Outcome) -> String {

@@ -25,6 +25,8 @@ pub struct Comparison {
     pub rows: u64,
     /// Its rows that are outside what was flown.
     pub outside: u64,
+    /// Standard deviations of the reference's position at the last of them, north and east, m, where they are told.
+    pub sigma_m: Option<[f64; 2]>,
     /// The last instant.
     pub last: Instant,
     /// Extremes over all rows.
@@ -79,14 +81,16 @@ pub fn compare(
         }
     };
     let mut log = Log::new(reference.rows.len() as u64, 1.0);
-    let (mut rows, mut outside) = (0, 0);
-    for (time_s, truth) in &reference.rows {
+    let (mut rows, mut outside, mut sigma_m) = (0, 0, None);
+    for (place, (time_s, truth)) in reference.rows.iter().enumerate() {
         match track.at(time_s - lag_s) {
             Some(computed) => {
                 let instant = compared(*time_s, &computed, truth);
                 observe(&instant)?;
                 log.add(rows, &instant);
                 rows += 1;
+                let sigma = reference.sigma_ned_m.as_ref().and_then(|sigma| sigma.get(place));
+                sigma_m = sigma.map(|sigma| [sigma.x, sigma.y]);
             }
             None => outside += 1,
         }
@@ -104,6 +108,7 @@ pub fn compare(
         estimated,
         rows,
         outside,
+        sigma_m,
         last: log.last,
         max: log.max,
         overview: log.overview,

@@ -4,6 +4,7 @@ use super::comparison::Comparison;
 use super::fly::Flight;
 use super::summary::About;
 use super::table;
+use crate::report::figures::Known;
 use crate::report::sensors::Sensors;
 use crate::report::table::{rows_of, unit_note};
 use crate::report::traces::{NAUTICAL_MILE, Traces};
@@ -62,7 +63,7 @@ pub fn page(
     let charted = charted(comparison, about);
     let since = parameter(about.spans.navigate_s);
     let end_s = charted.last().map_or(0.0, |instant| instant.time_s);
-    let end = figures::end(&comparison.last, None);
+    let end = figures::end(&comparison.last, comparison.sigma_m.map(Known::by_reference));
     let euler = match figures::euler(traces, end_s) {
         charts if charts.is_empty() => charts,
         charts => format!("<h2>Errors of roll, pitch and yaw</h2>\n{charts}"),

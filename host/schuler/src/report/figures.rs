@@ -90,14 +90,41 @@ pub fn horizontal(traces: &Traces, end_s: f64, end: Option<Interactive>) -> Stri
     grid([distance].into_iter().chain(rate).chain(end))
 }
 
-/// Where a flight ends, east and north of the truth, with the ellipses of 50 % and 95 % that theory expects.
-pub fn end(last: &Instant, covariance_m2: Option<[[f64; 2]; 2]>) -> Interactive {
+/// What is known of a flight's end: a distribution north and east of the truth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// Its mean, m.
+    pub mean_m: [f64; 2],
+    /// Its covariance, m².
+    pub covariance_m2: [[f64; 2]; 2],
+    /// The names of the ellipses of 95 % and 50 %.
+    pub names: [&'static str; 2],
+}
+
+impl Known {
+    /// What theory expects at an instant.
+    pub fn by_theory(last: &Instant, covariance_m2: [[f64; 2]; 2]) -> Self {
+        let [north, east, _] = last.mean.position_m;
+        let names = ["95 % by theory", "50 % by theory"];
+        Self { mean_m: [north, east], covariance_m2, names }
+    }
+
+    /// What a reference says of itself: σ north and east.
+    pub fn by_reference([north, east]: [f64; 2]) -> Self {
+        let names = ["95 % by the reference’s σ", "50 % by the reference’s σ"];
+        let covariance_m2 = [[north * north, 0.0], [0.0, east * east]];
+        Self { mean_m: [0.0; 2], covariance_m2, names }
+    }
+}
+
+/// Where a flight ends, east and north of the truth, with the ellipses of 50 % and 95 %, where they are known.
+pub fn end(last: &Instant, known: Option<Known>) -> Interactive {
     let [north, east, _] = last.drift.position_m;
-    let theory =
-        covariance_m2.filter(|c| c.iter().flatten().all(|x| x.is_finite()) && c[0][0] > 0.0);
-    let [mean_north, mean_east, _] = last.mean.position_m;
-    let outlines = theory.map(|covariance| {
-        [0.95, 0.5].map(|share| outline([mean_north, mean_east], covariance, share).collect())
+    let is_one = |c: &[[f64; 2]; 2]| c.iter().flatten().all(|x| x.is_finite()) && c[0][0] > 0.0;
+    let known = known.filter(|known| is_one(&known.covariance_m2));
+    let names = known.map_or([""; 2], |known| known.names);
+    let outlines = known.map(|known| {
+        [0.95, 0.5].map(|share| outline(known.mean_m, known.covariance_m2, share).collect())
     });
     let outlines: Vec<Vec<[f64; 2]>> = outlines.into_iter().flatten().collect();
     let all = outlines.iter().flatten().flatten().chain([&north, &east]);
@@ -109,7 +136,6 @@ pub fn end(last: &Instant, covariance_m2: Option<[[f64; 2]; 2]>) -> Interactive 
         Scale::new("north", name),
     );
     chart.is_map = true;
-    let names = ["95 % by theory", "50 % by theory"];
     for (outline, name) in outlines.iter().zip(names) {
         chart = chart.with(Layer::dashes(name, Ink::Text, outline.iter().map(place)));
     }

@@ -13,8 +13,15 @@ use schuler_simulator::theory::Theory;
 use std::path::{Path, PathBuf};
 
 /// Every file of a flight, written or not.
-pub const NAMES: [&str; 6] =
-    [drift_csv::NAME, summary::NAME, plot::NAME, html::NAME, rows::NAMES[0], rows::NAMES[1]];
+pub const NAMES: [&str; 7] = [
+    drift_csv::NAME,
+    summary::NAME,
+    plot::NAME,
+    html::NAME,
+    rows::NAMES[0],
+    rows::NAMES[1],
+    plot::SVG,
+];
 
 /// What is to be written besides `summary.json` and `drift.csv`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -25,6 +32,8 @@ pub struct Wanted {
     pub report: bool,
     /// `nav.csv` and `truth.csv`.
     pub rows: bool,
+    /// `drift.svg`.
+    pub svg: bool,
     /// The number of the run, whose sensors the page shows.
     pub run: u64,
 }
@@ -36,6 +45,8 @@ pub struct FlightFiles {
     summary: OutputFile,
     /// The picture and the page, where they are wanted.
     pages: Option<[OutputFile; 2]>,
+    /// The picture for documents, where it is wanted.
+    svg: Option<OutputFile>,
     /// What the page shows of every row.
     traces: Traces,
     run: u64,
@@ -69,7 +80,7 @@ pub fn of_earlier(folder: &Path) -> Option<String> {
 impl FlightFiles {
     /// To be in a folder. What cannot be written is found here, before the flight.
     pub fn create(folder: &Path, wanted: Wanted) -> Result<Self, InputError> {
-        let Wanted { every, report, rows, run } = wanted;
+        let Wanted { every, report, rows, svg, run } = wanted;
         let drift = DriftCsv::create(&folder.join(drift_csv::NAME), every)?;
         let summary = OutputFile::create(folder.join(summary::NAME))?;
         let mut stale = Vec::new();
@@ -81,18 +92,25 @@ impl FlightFiles {
             stale.extend(pages);
             None
         };
+        // Files of these names may be anybody's, unless an earlier flight says that they are its own.
+        let written = head::files_of(&folder.join(summary::NAME));
+        let mut leave = |names: &[&str]| {
+            let is_own = |name: &&&str| written.iter().any(|written| written == *name);
+            stale.extend(names.iter().filter(is_own).map(|name| folder.join(name)));
+        };
         let rows = if rows {
             Some(RowFiles::create(folder, every)?)
         } else {
-            // Files of these names may be anybody's, unless an earlier flight says that they are its own.
-            let written = head::files_of(&folder.join(summary::NAME));
-            let is_own = |name: &&str| written.iter().any(|written| written == name);
-            stale.extend(
-                rows::NAMES.iter().filter(|name| is_own(name)).map(|name| folder.join(name)),
-            );
+            leave(&rows::NAMES);
             None
         };
-        Ok(Self { drift, summary, pages, traces: Traces::default(), run, rows, stale })
+        let svg = if svg {
+            Some(OutputFile::create(folder.join(plot::SVG))?)
+        } else {
+            leave(&[plot::SVG]);
+            None
+        };
+        Ok(Self { drift, summary, pages, svg, traces: Traces::default(), run, rows, stale })
     }
 
     /// Takes the next instant.
@@ -111,7 +129,7 @@ impl FlightFiles {
         others: Vec<OutputFile>,
         lockstep: Option<Lockstep>,
     ) -> Result<(), InputError> {
-        let Self { drift, mut summary, pages, traces, run, rows, stale } = self;
+        let Self { drift, mut summary, pages, svg, traces, run, rows, stale } = self;
         let json = |names: &[&str]| summary::json(flight, names, lockstep.as_ref());
         // The folder of the first is locked.
         let mut files = vec![drift.into_file()?];
@@ -125,6 +143,11 @@ impl FlightFiles {
             page.put(html::page(flight, &Shown { traces, sensors, covariance_m2, lockstep }))?;
             files.extend([picture, page]);
             names.extend([plot::NAME, html::NAME]);
+        }
+        if let Some(mut svg) = svg {
+            svg.put(plot::svg(flight))?;
+            files.push(svg);
+            names.push(plot::SVG);
         }
         if let Some(rows) = rows {
             files.extend(rows.into_files()?);

@@ -5,6 +5,7 @@ use super::traces::{NAUTICAL_MILE, Traces};
 use super::{
     ended, figures, head, heading, link_table, lockstep, norm, parameters, table, verdict,
 };
+use figures::Known;
 use lockstep::Lockstep;
 use schuler_report::axis::printed;
 use schuler_report::page::{self, framed, panel};
@@ -90,7 +91,10 @@ fn headline(flight: &Flight) -> String {
 }
 
 fn horizontal(flight: &Flight, shown: &Shown) -> String {
-    let end = figures::end(&flight.last, shown.covariance_m2);
+    let end = figures::end(
+        &flight.last,
+        shown.covariance_m2.map(|covariance| Known::by_theory(&flight.last, covariance)),
+    );
     let content = figures::horizontal(&shown.traces, flight.last.time_s, Some(end));
     section("Horizontal error", &content)
 }

@@ -1,6 +1,7 @@
 //! Data sheets' units are those of scenes, times what the books say.
 
-use schuler_simulator::datasheet::{keys, sections};
+use schuler_simulator::allan::TRIADS;
+use schuler_simulator::datasheet::{entries, keys, sections};
 use schuler_simulator::scene::parse;
 
 /// The number of a key in a text.
@@ -118,8 +119,61 @@ fn a_scene_takes_the_same_units() {
     assert_eq!(errors.misalignment_matrix, Some(expected));
     let offset = errors.constant.unwrap()[0];
     assert!((offset / 2f64.to_radians() - 1.0).abs() < 1e-14, "{offset}");
-    // What has to be assumed is for `datasheet` to say.
-    assert!(scene("in_run_bias_stability_deg_h = 5").is_err());
+    let refused = scene("nonlinearity_percent_fs = 0.1").unwrap_err().to_string();
+    assert!(refused.contains("x.toml:4") && refused.contains("are linear"), "{refused}");
     let both = "angle_random_walk_deg_sqrt_h = 0.3\nnoise_density_mdps_sqrt_hz = 5";
     assert!(scene(both).unwrap_err().to_string().contains("another key gives, too"));
+}
+
+/// Whatever the command takes a scene takes, too, and it becomes the same.
+#[test]
+fn a_scene_takes_every_key_of_a_data_sheet() {
+    for (triad, table) in TRIADS.iter().enumerate() {
+        let full_scale = ["full_scale_deg_s = 100\n", "full_scale_g = 8\n"][triad];
+        for entry in entries::of(triad) {
+            let key = entry.key;
+            let full_scale = if key.ends_with("_fs") { full_scale } else { "" };
+            let sensor = format!("[{table}]\n{full_scale}{key} = [0.002, 0.003, 0.004]\n");
+            let warm =
+                if key.starts_with("temperature_") { "[temperature]\noffset_k = 0\n" } else { "" };
+            let top = "duration_s = 1\nrate_hz = 50\n";
+            let scene = parse::scene("x.toml", &format!("{top}{sensor}{warm}"));
+            let scene = scene.unwrap_or_else(|e| panic!("{e}"));
+            let section = sections("x.toml", &format!("sample_rate_hz = 50\n{sensor}")).unwrap();
+            let again = parse::scene("x.toml", &format!("{top}{section}")).unwrap();
+            for (direct, pasted) in
+                [(&scene.gyro, &again.gyro), (&scene.accelerometer, &again.accelerometer)]
+            {
+                for term in schuler_simulator::scene::terms::TERMS {
+                    let [direct, pasted] = [direct, pasted].map(|errors| (term.values)(errors));
+                    // What is printed has six digits.
+                    let same = match (direct, pasted) {
+                        (Some(direct), Some(pasted)) => direct
+                            .rows()
+                            .as_flattened()
+                            .iter()
+                            .zip(pasted.rows().as_flattened())
+                            .all(|(a, b)| (a - b).abs() <= 1e-5 * a.abs()),
+                        (direct, pasted) => direct.is_none() && pasted.is_none(),
+                    };
+                    assert!(same, "{key}, {}: {direct:?} {pasted:?}", term.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn temperatures_of_data_sheets_in_a_scene() {
+    let text = "duration_s = 1\nrate_hz = 20\n[temperature]\nramp_k_min = 1\n\
+        [gyro]\ntemperature_bias_mdps_k = 2\ntemperature_scale_factor_percent_k = 0.03\n\
+        [accelerometer]\ntemperature_bias_mg_k = 0.5\n";
+    let scene = parse::scene("x.toml", text).unwrap();
+    let close = |found: Option<[f64; 3]>, expected: f64| {
+        let found = found.expect("it is given")[2];
+        assert!((found / expected - 1.0).abs() < 1e-14, "{found} {expected}");
+    };
+    close(scene.gyro.temperature_bias, 0.002 * std::f64::consts::PI / 180.0);
+    close(scene.gyro.temperature_scale, 3e-4);
+    close(scene.accelerometer.temperature_bias, 0.5e-3 * 9.80665);
 }

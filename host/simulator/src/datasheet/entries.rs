@@ -47,9 +47,9 @@ impl Slot {
 }
 
 impl Entry {
-    /// Whether a scene may say it, too: nothing is assumed but a unit, or what the key itself says.
-    pub fn is_unit(&self) -> bool {
-        self.assumed.is_empty() || matches!(self.slot, Slot::OffDiagonal(_))
+    /// Whether it is a step of the output, which the length of a sample makes one of the increments.
+    pub fn is_step(&self) -> bool {
+        self.gives.starts_with("quantization")
     }
 
     /// Whether it is a share of the largest output.

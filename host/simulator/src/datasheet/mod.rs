@@ -53,34 +53,35 @@ fn names(triad: usize) -> Vec<&'static str> {
     own.chain(scene.map(|key| key.key)).chain(left_out).collect()
 }
 
-/// Sets a term that nothing has set yet.
-fn set(
-    errors: &mut SensorErrors,
-    entry: &Entry,
-    values: [f64; 3],
-    section: &Section<'_>,
-) -> Result<(), InputError> {
-    if !entry.slot.set(errors, values) {
-        let what = format!("gives {}, which another key gives, too", entry.gives);
-        return Err(section.blame(entry.key, Complaint::new(what, "one of the two")));
-    }
-    Ok(())
-}
-
-/// Reads the keys of a scene's section that differ from the scene's own by their unit alone.
-pub fn read_units(
+/// Reads the keys of a data sheet in a sensor's table, of a sheet or of a scene, and those that were there.
+///
+/// The steps of an output are held for `interval_s`, the length of a sample.
+pub fn read(
     section: &Section<'_>,
     triad: usize,
+    interval_s: Option<f64>,
     errors: &mut SensorErrors,
-) -> Result<(), InputError> {
-    for entry in in_order(triad).filter(|entry| entry.is_unit()) {
-        if let Some(value) = section.get(entry.key) {
-            let values = value.axes(&entry.range)?.map(|x| x * entry.factor);
-            let values = whole(entry, values, errors, section)?;
-            set(errors, entry, values, section)?;
+) -> Result<Vec<&'static Entry>, InputError> {
+    let mut found = Vec::new();
+    for entry in in_order(triad) {
+        let Some(value) = section.get(entry.key) else { continue };
+        let mut values = value.axes(&entry.range)?.map(|x| x * entry.factor);
+        if entry.is_step() {
+            let Some(interval_s) = interval_s else {
+                let what =
+                    format!("is a step of the rate, and needs {RATE} at the top of the file");
+                return Err(section.blame(entry.key, Complaint::new(what, "samples per second")));
+            };
+            values = values.map(|x| x * interval_s);
         }
+        let values = whole(entry, values, errors, section)?;
+        if !entry.slot.set(errors, values) {
+            let what = format!("gives {}, which another key gives, too", entry.gives);
+            return Err(section.blame(entry.key, Complaint::new(what, "one of the two")));
+        }
+        found.push(entry);
     }
-    Ok(())
+    Ok(found)
 }
 
 /// The entries of a triad, shares of the full scale last.
@@ -123,19 +124,7 @@ fn one(
             (term.set)(&mut errors, Some(term.read(&value)?.map(|x| x * key.unit)));
         }
     }
-    for entry in in_order(triad) {
-        let Some(value) = section.get(entry.key) else { continue };
-        let mut values = value.axes(&entry.range)?.map(|x| x * entry.factor);
-        if entry.gives.starts_with("quantization") {
-            let Some(interval_s) = interval_s else {
-                let what =
-                    format!("is a step of the rate, and needs {RATE} at the top of the file");
-                return Err(section.blame(entry.key, Complaint::new(what, "samples per second")));
-            };
-            values = values.map(|x| x * interval_s);
-        }
-        let values = whole(entry, values, &errors, section)?;
-        set(&mut errors, entry, values, section)?;
+    for entry in read(section, triad, interval_s, &mut errors)? {
         let is_walk = walks && entry.gives.starts_with("bias_instability");
         if !entry.assumed.is_empty() && !is_walk {
             notes.push(format!("{}: {}", entry.key, entry.assumed));
@@ -211,16 +200,15 @@ pub fn keys() -> String {
     let mut text = format!(
         "{RATE}: samples per second, for resolutions\n{MODEL}: \"flicker\" (if absent) or \"random-walk\": what makes \
          the lowest point of the Allan curve\nEach key takes one number, or [x, y, z]; a scene's own keys are \
-         taken, too.\n"
+         taken, too, and a scene takes\nthese, but for what is left out.\n"
     );
     for (triad, table) in TRIADS.iter().enumerate() {
         let _ = writeln!(text, "\n[{table}]");
         for entry in entries::of(triad) {
-            let also = if entry.is_unit() { ", in a scene, too" } else { "" };
-            let _ = writeln!(text, "{:32} gives {}{also}", entry.key, entry.gives);
+            let _ = writeln!(text, "{:34} gives {}", entry.key, entry.gives);
         }
         for (key, why) in LEFT_OUT {
-            let _ = writeln!(text, "{key:32} is left out: {why}");
+            let _ = writeln!(text, "{key:34} is left out: {why}");
         }
     }
     text

@@ -22,6 +22,8 @@ pub struct Term {
     pub name: String,
     /// Whether theory knows it.
     pub is_in_theory: bool,
+    /// Whether it is noise, which has no mean, and which its sensor's bandwidth acts on.
+    pub is_random: bool,
     /// The scene with no other.
     pub alone: Scene,
     /// The scene with all others.
@@ -66,14 +68,19 @@ pub fn terms(scene: &Scene) -> Vec<Term> {
             of_mut(&mut alone).temperature = of(scene).temperature;
             let name = format!("{sensor} {}", own_name(term.name, place));
             let is_in_theory = !matches!(term.source, Kind::LeftOut);
-            terms.push(Term { name, is_in_theory, alone, without });
+            let is_random = term.source.is_random();
+            if is_random {
+                of_mut(&mut alone).bandwidth = of(scene).bandwidth;
+            }
+            terms.push(Term { name, is_in_theory, is_random, alone, without });
         }
         if of(scene).gauss_markov.is_some_and(|process| process.rms != [0.0; 3]) {
             let (mut alone, mut without) = (perfect.clone(), scene.clone());
             of_mut(&mut alone).gauss_markov = of(scene).gauss_markov;
+            of_mut(&mut alone).bandwidth = of(scene).bandwidth;
             of_mut(&mut without).gauss_markov = None;
             let name = format!("{sensor} Gauss-Markov bias");
-            terms.push(Term { name, is_in_theory: true, alone, without });
+            terms.push(Term { name, is_in_theory: true, is_random: true, alone, without });
         }
     }
     for (name, part) in ["position", "velocity", "attitude"].into_iter().zip(PARTS) {
@@ -82,7 +89,8 @@ pub fn terms(scene: &Scene) -> Vec<Term> {
             let alone = Scene { initial_error: of_start, ..perfect.clone() };
             let rest = part(&InitialError::default(), &scene.initial_error);
             let without = Scene { initial_error: rest, ..scene.clone() };
-            terms.push(Term { name: format!("start {name}"), is_in_theory: true, alone, without });
+            let (name, is_random) = (format!("start {name}"), false);
+            terms.push(Term { name, is_in_theory: true, is_random, alone, without });
         }
     }
     terms
@@ -132,6 +140,7 @@ pub fn by_theory(term: &Term, times_s: &[f64]) -> Result<Vec<Contribution>, Sour
         }
         let expected = theory.at(time_s);
         let [mean, sigma] = [&expected.mean, &expected.sigma].map(|drift| nine(drift).numbers());
+        let mean = if term.is_random { [0.0; 9] } else { mean };
         Contribution { mean, sigma }
     };
     Ok(times_s.iter().map(contribution).collect())

@@ -18,6 +18,8 @@ pub struct Reference {
     pub name: String,
     /// Times in s, increasing, and the state at each.
     pub rows: Vec<(f64, Solution<f64>)>,
+    /// Standard deviations of the positions, north, east, down, m, where all of them are told.
+    pub sigma_ned_m: Option<Vec<Vector<f64>>>,
     /// Whether it has velocities.
     pub has_velocity: bool,
     /// Whether it has attitudes.
@@ -63,8 +65,9 @@ impl Reference {
             let complaint = Complaint::new(format!("has {} places", rows.len()), "two or more");
             return Err(InputError::file(file, complaint));
         }
-        let name = file.to_owned();
-        Ok(Self { name, rows, has_velocity, has_attitude: false, others: Vec::new() })
+        let sigma_ned_m = track.fixes.iter().map(|fix| fix.position_sigma_ned).collect();
+        let (name, others) = (file.to_owned(), Vec::new());
+        Ok(Self { name, rows, sigma_ned_m, has_velocity, has_attitude: false, others })
     }
 
     /// From a CSV file with columns named as those of `nav.csv`, in any order: a time and a position,
@@ -114,6 +117,7 @@ impl Reference {
         Ok(Self {
             name: file.to_owned(),
             rows: rows.collect(),
+            sigma_ned_m: None,
             has_velocity,
             has_attitude,
             others: table.others,

@@ -35,8 +35,10 @@ impl March {
     /// Before the first step.
     pub fn new(course: &Course) -> Self {
         let slow = course.sources.biases.len();
-        let fast = Fast::new(&course.sources, slow);
-        let rest = Moments { cross: vec![ErrorState::default(); slow], ..Moments::default() };
+        let fast = Fast::new(&course.sources, slow, course.sources.lags.len());
+        let cross = vec![ErrorState::default(); slow];
+        let behind = vec![ErrorState::default(); course.sources.lags.len()];
+        let rest = Moments { cross, behind, ..Moments::default() };
         let covariance = course.initial_covariance;
         let start = Moments { mean: course.initial, covariance, ..rest.clone() };
         let origin = course.instant(0.0);
@@ -66,20 +68,13 @@ impl March {
         self.start_s = self.end_s();
         std::mem::swap(&mut self.start, &mut self.end);
         std::mem::swap(&mut self.start_rate, &mut self.end_rate);
-        let h = (STEP_OVER_TIME * self.start_s)
-            .max(FIRST_STEP * course.sources.sample_interval_s)
-            .min(course.longest_step_s);
+        let h = self.length(course);
         self.step_s = h;
         let [.., origin] = self.nodes;
         let later = |third: f64| course.instant(self.start_s + h * third / 3.0);
         self.nodes = [origin, later(1.0), later(2.0), later(3.0)];
 
-        // Biases that the step has outgrown follow at once from now on.
-        let slow = course.sources.biases[..self.slow].partition_point(|b| b.correlation_s >= h);
-        if slow < self.slow {
-            self.slow = slow;
-            self.fast = Fast::new(&course.sources, slow);
-            self.start.cross.truncate(slow);
+        if self.outgrow(course, h) {
             self.start.rate(&origin, course, &self.fast, &mut self.start_rate);
         }
 
@@ -109,6 +104,33 @@ impl March {
             self.end.advance(k, h * weight / 8.0);
         }
         self.end.rate(at_end, course, &self.fast, &mut self.end_rate);
+    }
+
+    /// Of the step that begins at its start.
+    fn length(&self, course: &Course) -> f64 {
+        let sources = &course.sources;
+        let h = (STEP_OVER_TIME * self.start_s)
+            .max(FIRST_STEP * sources.sample_interval_s)
+            .min(course.longest_step_s);
+        // Behind a bandwidth another law begins with the second sample.
+        let left_s = sources.sample_interval_s - self.start_s;
+        let is_within = sources.are_filtered() && left_s > 1e-9 * sources.sample_interval_s;
+        if is_within { h.min(left_s) } else { h }
+    }
+
+    /// Biases and lags that a step of length h has outgrown follow at once from now on; whether there are any.
+    fn outgrow(&mut self, course: &Course, h: f64) -> bool {
+        let sources = &course.sources;
+        let lagging = sources.lags[..self.start.behind.len()].partition_point(|l| l.lag_s >= h);
+        let slow = sources.biases[..self.slow].partition_point(|b| b.correlation_s >= h);
+        if slow == self.slow && lagging == self.start.behind.len() {
+            return false;
+        }
+        self.slow = slow;
+        self.fast = Fast::new(sources, slow, lagging);
+        self.start.cross.truncate(slow);
+        self.start.behind.truncate(lagging);
+        true
     }
 
     /// The moments at the end of the current step.

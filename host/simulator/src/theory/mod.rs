@@ -3,11 +3,13 @@
 //! Along the true motion, small errors obey ẋ = F x + G u (`schuler::drift::linear`). Systematic
 //! sensor errors and initial errors determine the mean, random ones the covariance. The linear model does
 //! not include saturation, samples lost or late on the link, quantization so coarse that the signal does not
-//! cross several steps per sample, and errors that are too large. Bandwidth and latency act on the motion
-//! alone: what they do to noise is over within their own time, and their products with other errors are small.
+//! cross several steps per sample, and errors that are too large. A bandwidth acts on the motion and on noise; latency
+//! on the motion alone, since noise arises behind it. Their products with other errors are small, and left out.
 //! [`Theory::outside`] tells when the model no longer applies.
 
+mod bias;
 mod course;
+mod lag;
 mod limits;
 mod march;
 mod moments;

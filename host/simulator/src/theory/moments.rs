@@ -20,6 +20,8 @@ pub struct Moments {
     pub second: ErrorState<f64>,
     /// p = E[(x − m)b] for each of the slow biases.
     pub cross: Vec<ErrorState<f64>>,
+    /// q = E[(x − m)y] for each bias that is felt as y, behind a bandwidth.
+    pub behind: Vec<ErrorState<f64>>,
 }
 
 /// Biases that are faster than a step, and white noise, summed over a sensor: E[(x − m)b] follows from
@@ -31,14 +33,24 @@ pub struct Fast {
 }
 
 impl Fast {
-    /// White noise, and the biases after the first `slow` ones.
-    pub fn new(sources: &Sources, slow: usize) -> Self {
-        let mut powers = sources.white.map(|n2| [0.5 * n2, 0.0, 0.0]);
-        for bias in &sources.biases[slow..] {
+    /// White noise, and the biases after the first `slow` ones, but those behind one of the first `lagging` lags.
+    pub fn new(sources: &Sources, slow: usize, lagging: usize) -> Self {
+        let mut powers = std::array::from_fn(|sensor| {
+            let n2 = if sources.lag_s[sensor] > 0.0 { 0.0 } else { sources.white[sensor] };
+            [0.5 * n2, 0.0, 0.0]
+        });
+        for (index, bias) in sources.biases.iter().enumerate().skip(slow) {
+            let mut own = [bias.variance; 3];
             let mut term = bias.variance;
-            for power in &mut powers[bias.sensor] {
+            for power in &mut own {
                 term *= bias.correlation_s;
-                *power += term;
+                *power = term;
+            }
+            if let Some(lag) = sources.lags.iter().position(|lag| lag.bias == index) {
+                own = if lag < lagging { [0.0; 3] } else { sources.lags[lag].powers(bias) };
+            }
+            for (power, own) in powers[bias.sensor].iter_mut().zip(own) {
+                *power += own;
             }
         }
         Self { powers }
@@ -58,6 +70,9 @@ impl Moments {
         for (cross, growth) in self.cross.iter_mut().zip(&rate.cross) {
             *cross = *cross + *growth * k;
         }
+        for (behind, growth) in self.behind.iter_mut().zip(&rate.behind) {
+            *behind = *behind + *growth * k;
+        }
     }
 
     /// Becomes a copy of another, keeping its memory.
@@ -66,6 +81,7 @@ impl Moments {
         self.second = other.second;
         self.covariance = other.covariance;
         self.cross.clone_from(&other.cross);
+        self.behind.clone_from(&other.behind);
     }
 
     /// E[ψψᵀ].
@@ -97,14 +113,45 @@ impl Moments {
                 *sensor = *g * powers[0] + fg * powers[1] + ffg * powers[2];
             }
         }
+        // So long after the first sample, which a bandwidth takes as it is.
+        let after_s = at.time_s - sources.sample_interval_s;
         to.cross.truncate(self.cross.len());
         for ((p, bias), growth) in self.cross.iter().zip(&sources.biases).zip(&mut to.cross) {
             // ṗ = F p + g E[b²] − p/T
-            let variance = bias.variance + bias.walk * at.time_s;
-            *growth = dynamics.growth(p)
-                + drive[bias.sensor] * variance
-                + *p * -bias.correlation_s.recip();
+            let variance = bias.square(at.time_s, after_s.max(0.0));
+            let stays = bias.is_filtered && after_s < 0.0;
+            let decay = if stays { 0.0 } else { bias.correlation_s.recip() };
+            *growth = dynamics.growth(p) + drive[bias.sensor] * variance + *p * -decay;
             pull[bias.sensor] = pull[bias.sensor] + *p;
+        }
+        to.behind.truncate(self.behind.len());
+        for (index, lag) in sources.lags.iter().enumerate() {
+            let bias = &sources.biases[lag.bias];
+            let (g, pull) = (&drive[bias.sensor], &mut pull[bias.sensor]);
+            let [by, square] = lag.moments(bias, at.time_s, after_s.max(0.0));
+            let (decay, faster) = (bias.correlation_s.recip(), lag.lag_s.recip());
+            let follow = |e: ErrorState<f64>, t: f64| (e + dynamics.growth(&e) * t) * t;
+            let p = match (self.cross.get(lag.bias), to.cross.get_mut(lag.bias)) {
+                (Some(p), Some(growth)) => {
+                    // ṗ has g E[by]; what was felt of it was b.
+                    *growth = *growth + *g * (by - bias.square(at.time_s, after_s.max(0.0)));
+                    *pull = *pull + *p * -1.0;
+                    *p
+                }
+                _ if index >= self.behind.len() => continue,
+                // p = T_b(I + T_b F)g E[by]
+                _ => follow(*g * by, bias.correlation_s),
+            };
+            match (self.behind.get(index), to.behind.get_mut(index)) {
+                (Some(q), Some(growth)) => {
+                    // q̇ = F q + g E[y²] + (p − q)/T; in the first sample y is b.
+                    let pulled = if after_s < 0.0 { p * -decay } else { (p + *q * -1.0) * faster };
+                    *growth = dynamics.growth(q) + *g * square + pulled;
+                    *pull = *pull + *q;
+                }
+                // q = p − T(I + TF)(g E[y(b − y)] − p/T_b)
+                _ => *pull = *pull + p + follow(*g * (square - by) + p * decay, lag.lag_s),
+            }
         }
         let mut half = self.covariance.map(|row| dynamics.growth(&row.into()).into_array());
         let mut couple = |a: ErrorState<f64>, b: ErrorState<f64>, k: f64| {

@@ -1,6 +1,8 @@
 //! A scene's sensor errors in the linear model: a systematic part that determines the mean, and
 //! independent scalar processes that determine the covariance.
 
+use super::bias::Bias;
+use super::lag::{self, Lag};
 use crate::scene::felt::Felt;
 use crate::scene::terms::{Source, TERMS, Term};
 use crate::scene::values::Values;
@@ -8,23 +10,11 @@ use crate::scene::{Scene, SensorErrors};
 use schuler::math::vector::Vector;
 use schuler::sample::Rates;
 use schuler::sensor::{Timing, flicker};
+use std::f64::consts::TAU;
 use std::mem;
 
 /// The six sensors: gyros x, y, z, then accelerometers x, y, z.
 pub const SENSORS: usize = 6;
-
-/// A random bias b of one sensor: E[b²] = variance + walk·t, decaying as e^{−t/T}.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bias {
-    /// Which of the six sensors.
-    pub sensor: usize,
-    /// At the start, (angle/s)².
-    pub variance: f64,
-    /// Growth of the variance, (angle/s)²/s.
-    pub walk: f64,
-    /// T, s; infinite for a bias that stays.
-    pub correlation_s: f64,
-}
 
 /// All error sources of a scene.
 #[derive(Clone, Debug)]
@@ -35,6 +25,10 @@ pub struct Sources {
     pub biases: Vec<Bias>,
     /// N² of each sensor, angle²/s.
     pub white: [f64; SENSORS],
+    /// T = 1/(2πf) of each sensor's bandwidth, s; 0 where it has none.
+    pub lag_s: [f64; SENSORS],
+    /// The biases that lag, those that lag longest first.
+    pub lags: Vec<Lag>,
     /// Q² = step²/12 of each sensor, angle².
     pub quantization: [f64; SENSORS],
     /// τ₀, s.
@@ -54,7 +48,15 @@ impl Sources {
                 let mut push = |rms: f64, walk: f64, correlation_s: f64| {
                     if rms != 0.0 || walk != 0.0 {
                         let (variance, walk) = (rms * rms, walk * walk);
-                        biases.push(Bias { sensor, variance, walk, correlation_s });
+                        let (is_filtered, early) = (false, 0.0);
+                        biases.push(Bias {
+                            sensor,
+                            variance,
+                            walk,
+                            correlation_s,
+                            is_filtered,
+                            early,
+                        });
                     }
                 };
                 push(at(Source::Stays), at(Source::Walks), f64::INFINITY);
@@ -68,16 +70,30 @@ impl Sources {
                 }
             }
         }
-        biases.sort_by(|a, b| b.correlation_s.total_cmp(&a.correlation_s));
         let squares = |source| {
             let values = triads.map(|errors| values(errors, source));
             std::array::from_fn(|i| values[i / 3][i % 3] * values[i / 3][i % 3])
         };
+        let white: [f64; SENSORS] = squares(Source::White);
+        let lag_s: [f64; SENSORS] = std::array::from_fn(|i| {
+            triads[i / 3].bandwidth.map_or(0.0, |frequency_hz| (TAU * frequency_hz[i % 3]).recip())
+        });
+        for (sensor, (n2, lag_s)) in white.into_iter().zip(lag_s).enumerate() {
+            if lag_s > 0.0 && n2 > 0.0 {
+                biases.push(lag::filtered(sensor, n2, lag_s, sample_interval_s));
+            }
+        }
+        biases.sort_by(|a, b| b.correlation_s.total_cmp(&a.correlation_s));
+        let lag = |(index, bias): (usize, &Bias)| Lag::new(index, bias, lag_s[bias.sensor]);
+        let mut lags: Vec<_> = biases.iter().enumerate().filter_map(lag).collect();
+        lags.sort_by(|a, b| b.lag_s.total_cmp(&a.lag_s));
         Self {
             gyro: scene.gyro.clone(),
             accelerometer: scene.accelerometer.clone(),
             biases,
-            white: squares(Source::White),
+            white,
+            lag_s,
+            lags,
             quantization: squares(Source::Steps).map(|step| step / 12.0),
             sample_interval_s,
         }
@@ -86,6 +102,17 @@ impl Sources {
     /// Whether anything is random.
     pub fn are_random(&self) -> bool {
         !self.biases.is_empty() || [self.white, self.quantization] != [[0.0; SENSORS]; 2]
+    }
+
+    /// Whether noise is felt behind a bandwidth.
+    pub fn are_filtered(&self) -> bool {
+        !self.lags.is_empty() || self.biases.iter().any(|bias| bias.is_filtered)
+    }
+
+    /// The variance of a sensor's white noise in one sample, angle².
+    pub fn noise_of_a_sample(&self, sensor: usize) -> f64 {
+        let interval_s = self.sample_interval_s;
+        self.white[sensor] * interval_s * lag::share_of_a_sample(self.lag_s[sensor], interval_s)
     }
 
     /// Whether anything is systematic.

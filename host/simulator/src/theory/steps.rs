@@ -34,7 +34,7 @@ pub fn coarse(
     std::array::from_fn(|i| {
         let step = step(sources, i);
         let crossed = squares[i].sqrt() * interval_s >= CROSSED * step;
-        let shaken = (sources.white[i] * interval_s).sqrt() >= SHAKEN * step;
+        let shaken = sources.noise_of_a_sample(i).sqrt() >= SHAKEN * step;
         step > 0.0 && !crossed && !shaken
     })
 }

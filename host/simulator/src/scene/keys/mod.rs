@@ -68,10 +68,14 @@ pub fn reference() -> String {
         // A String takes all that is written.
         let _ = writeln!(text, "| {} | {gyro} | {accelerometer} | {rows}{takes} |", term.name);
     }
-    text += "\n### In the units of data sheets\n\nThe same terms may be given so:\n\n| in | key | gives |\n|---|---|---|\n";
+    text += "\n### In the units of data sheets\n\nThe same terms may be given so, as in `schuler datasheet`:\n\n| in | key | gives | as |\n|---|---|---|---|\n";
     for (triad, table) in TRIADS.iter().enumerate() {
-        for entry in entries::of(triad).iter().filter(|entry| entry.is_unit()) {
-            let _ = writeln!(text, "| [{table}] | `{}` | `{}` |", entry.key, entry.gives);
+        for entry in entries::of(triad) {
+            let _ = writeln!(
+                text,
+                "| [{table}] | `{}` | `{}` | {} |",
+                entry.key, entry.gives, entry.assumed
+            );
         }
     }
     text += "\n## [initial_error]\n\nWhat the navigator's start is off by; 0 where absent: ";

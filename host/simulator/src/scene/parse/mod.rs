@@ -29,13 +29,14 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     let title = root.get("title").map(|v| v.text("text")).transpose()?;
     let trajectory = trajectory::read(&root, file)?;
     let duration_s = duration_s(&root, &trajectory)?;
-    let [gyro, accelerometer] = sensors::both(&root, duration_s)?;
+    let rate_hz = root.number("rate_hz", &limits::RATE_HZ)?;
+    let [gyro, accelerometer] = sensors::both(&root, rate_hz, duration_s)?;
     let scene = Scene {
         title: title.unwrap_or(&name).to_owned(),
         name,
         text_sha256: hash(text),
         duration_s,
-        rate_hz: root.number("rate_hz", &limits::RATE_HZ)?,
+        rate_hz,
         seed: root.get("seed").map_or(Ok(1), |v| v.integer(0, u64::MAX))?,
         trajectory,
         gyro,

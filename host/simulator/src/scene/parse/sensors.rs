@@ -1,7 +1,7 @@
 //! The `[gyro]` and `[accelerometer]` tables.
 
 use crate::allan::TRIADS;
-use crate::datasheet::{self, entries};
+use crate::datasheet::{self, entries, entries::LEFT_OUT};
 use crate::input::document::Section;
 use crate::input::{Complaint, InputError, Range};
 use crate::scene::keys::general as keys;
@@ -12,9 +12,14 @@ use crate::units::{DEGREE_PER_HOUR, MICRO_G};
 const RMS: Range = Range::NOT_NEGATIVE;
 
 /// The `[gyro]` table, rad, rad/s, and the `[accelerometer]` table, m/s, m/s².
-pub fn both(root: &Section<'_>, duration_s: f64) -> Result<[SensorErrors; 2], InputError> {
-    let mut gyro = sensor(root, 0, |term| term.gyro, "rms_deg_h", DEGREE_PER_HOUR)?;
-    let mut accelerometer = sensor(root, 1, |term| term.accelerometer, "rms_ug", MICRO_G)?;
+pub fn both(
+    root: &Section<'_>,
+    rate_hz: f64,
+    duration_s: f64,
+) -> Result<[SensorErrors; 2], InputError> {
+    let units = [("rms_deg_h", DEGREE_PER_HOUR), ("rms_ug", MICRO_G)];
+    let mut gyro = sensor(root, 0, |term| term.gyro, rate_hz, units[0])?;
+    let mut accelerometer = sensor(root, 1, |term| term.accelerometer, rate_hz, units[1])?;
     let temperature = temperature(root, duration_s)?;
     let mut warmed = false;
     for errors in [&mut gyro, &mut accelerometer] {
@@ -51,22 +56,28 @@ fn sensor(
     root: &Section<'_>,
     triad: usize,
     key_of: fn(&Term) -> Option<Key>,
-    rms: &str,
-    rms_unit: f64,
+    rate_hz: f64,
+    (rms, rms_unit): (&str, f64),
 ) -> Result<SensorErrors, InputError> {
     let mut errors = SensorErrors::default();
     let mut known: Vec<_> = TERMS.iter().filter_map(key_of).map(|key| key.key).collect();
     known.push("gauss_markov");
-    let units = entries::of(triad).iter().filter(|entry| entry.is_unit());
-    known.extend(units.map(|entry| entry.key));
+    known.extend(entries::of(triad).iter().map(|entry| entry.key));
+    let but = known.len();
+    known.extend(LEFT_OUT.iter().map(|(key, _)| *key));
     let Some(section) = root.section(TRIADS[triad], &known)? else { return Ok(errors) };
+    if let Some((key, why)) = LEFT_OUT.iter().find(|(key, _)| section.get(key).is_some()) {
+        let what = format!("cannot be emulated: {why}");
+        return Err(section.blame(key, Complaint::new(what, known[..but].join(", "))));
+    }
     for term in TERMS {
         let Some(Key { key, unit, .. }) = key_of(term) else { continue };
         if let Some(value) = section.get(key) {
             (term.set)(&mut errors, Some(term.read(&value)?.map(|x| x * unit)));
         }
     }
-    datasheet::read_units(&section, triad, &mut errors)?;
+    // What is assumed of them is said in the reference of keys.
+    datasheet::read(&section, triad, Some(1.0 / rate_hz), &mut errors)?;
     if let Some(process) = section.section("gauss_markov", &[rms, "correlation_s"])? {
         let time = Range { accepted: "seconds, above 0", ..Range::POSITIVE };
         let rms = process.require(rms, RMS.accepted)?.axes(&RMS)?.map(|x| x * rms_unit);

@@ -7,6 +7,7 @@
 //! | `scene` | what scenes may say |
 //! | `recording`, `rest` | what recordings may say, and what contradicts itself |
 //! | `reference` | positions that others measured |
+//! | `aided_replay` | recordings flown with fixes |
 //! | `align` | level and north by runs of a scene and by recordings |
 //! | `allan` | sensors by their Allan deviation, and by their data sheets |
 //! | `audit` | chains, recorded and compared |
@@ -19,6 +20,7 @@
 //! | `summaries` | what summaries hold, by their schema |
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
+mod aided_replay;
 mod align;
 mod allan;
 mod audit;

@@ -1,5 +1,7 @@
 //! `schuler replay`: navigates a recorded stream.
 
+pub(crate) mod aided;
+mod along;
 mod biases;
 mod bridged;
 mod comparison;
@@ -19,9 +21,10 @@ use crate::cli::{Height, ReplayArgs};
 use crate::report::sensors::Sensors;
 use comparison::Has;
 use files::ReportFiles;
-use fly::Orders;
+use fly::{Flight, Orders};
 use places::Places;
 use schuler::flight::plan;
+use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler_simulator::flight::Instant;
 use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
@@ -52,6 +55,9 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     let reference =
         args.reference.as_ref().map(|file| Reference::open(&name_of(file), recording.scale));
     let reference = reference.transpose()?;
+    if args.aiding.gnss.is_some() {
+        return aided(args, &recording, &options, reference.as_ref());
+    }
     let (initial, args) = &initial::initial(args, &recording)?;
 
     let measured = spans::about(args, initial);
@@ -72,33 +78,93 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
         say(&format!("window {history},{block},{lookahead} {how}: {motion}\n"))?;
     }
     let heights = heights(args, &options, initial, [spans.navigate_s, end_s])?;
-    let places = Places::new(&args.out, reference.is_some());
-    let has =
-        reference.as_ref().map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
-    let files = has.map(|has| ReportFiles::create(&places, has, spans.navigate_s));
-    let mut files = files.transpose()?.flatten();
-    let orders = Orders { args, options, shape, heights, nav: &places.nav };
-    let mut flight = fly::fly(&recording, &survey, &spans, initial, &orders)?;
-    let mut text = report::text(&flight, &spans, args.align.is_some());
-    let mut filled = Vec::new();
-    if let (Some(reference), Some(track)) = (&reference, flight.track.take()) {
-        let mut row = |instant: &Instant| files.as_mut().map_or(Ok(()), |files| files.row(instant));
-        let comparison = comparison::compare(&track, reference, args.lag, &mut row)?;
-        let (imu, rate_hz) = (recording.name.as_str(), 1.0 / survey.clock.interval_s());
-        let about = About { imu, rate_hz, options: &orders.options, shape, spans: &spans };
-        text += &table::table(&comparison);
-        if let Some(files) = files {
-            let sensors = read(&recording, &survey, [spans.navigate_s, flight.last.0])?;
-            filled = files.fill(&flight, &comparison, &about, &sensors)?;
-        }
+    let tail = Tail {
+        args,
+        recording: &recording,
+        survey: &survey,
+        spans: &spans,
+        options: &options,
+        shape,
+        reference: reference.as_ref(),
+    };
+    tail.tell(&mut |nav| {
+        let orders = Orders { args, options, shape, heights: heights.clone(), nav };
+        let flight = fly::fly(&recording, &survey, &spans, initial, &orders)?;
+        let text = report::text(&flight, &spans, args.align.is_some());
+        Ok((flight, text))
+    })
+}
+
+/// The same with what aids it.
+fn aided(
+    args: &ReplayArgs,
+    recording: &Recording,
+    options: &Navigator,
+    reference: Option<&Reference>,
+) -> Result<(), FlightError> {
+    let span = (args.start.unwrap_or(f64::NEG_INFINITY), args.until.unwrap_or(f64::INFINITY));
+    let survey = Survey::of(recording, args.rate.map(|rate_hz| 1.0 / rate_hz), span)?;
+    for line in survey.said(recording) {
+        say(&format!("{line}\n"))?;
     }
-    files::place(flight.nav, filled)?;
-    let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
-    let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
-    let nav = places.nav.display();
-    let [report, messages] = [report, messages].map(Option::unwrap_or_default);
-    say(&format!("{text}written to {nav}{messages}{report}\n"))?;
-    Ok(())
+    let Some(given) = aided::given::given(args, recording, &survey)? else { return Ok(()) };
+    let beginning = aided::start::beginning(args, recording, &survey, &given)?;
+    let (args, spans) = (&beginning.args, &beginning.spans);
+    if let Some(reference) = reference {
+        comparison::check(reference, spans.navigate_s, spans.until_s.min(survey.end_s))?;
+    }
+    let shape = H0B4A0::SHAPE;
+    let tail = Tail { args, recording, survey: &survey, spans, options, shape, reference };
+    tail.tell(&mut |nav| {
+        let (flight, text) = aided::fly::fly(recording, &survey, &beginning, &given, options, nav)?;
+        let text = report::text(&flight, spans, false) + &text;
+        Ok((flight, text))
+    })
+}
+
+/// What comes after a flight is known to be possible: it, its files, and what is told of it.
+struct Tail<'a> {
+    args: &'a ReplayArgs,
+    recording: &'a Recording,
+    survey: &'a Survey,
+    spans: &'a spans::Spans,
+    options: &'a Navigator,
+    shape: WindowShape,
+    reference: Option<&'a Reference>,
+}
+
+/// A flight whose rows go to a file, and what is said of it.
+type Fly<'a> = dyn FnMut(&std::path::Path) -> Result<(Flight, String), FlightError> + 'a;
+
+impl Tail<'_> {
+    fn tell(&self, fly: &mut Fly<'_>) -> Result<(), FlightError> {
+        let Self { args, recording, survey, spans, options, shape, reference } = *self;
+        let places = Places::new(&args.out, reference.is_some());
+        let has = reference.map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
+        let files = has.map(|has| ReportFiles::create(&places, has, spans.navigate_s));
+        let mut files = files.transpose()?.flatten();
+        let (mut flight, mut text) = fly(&places.nav)?;
+        let mut filled = Vec::new();
+        if let (Some(reference), Some(track)) = (reference, flight.track.take()) {
+            let mut row =
+                |instant: &Instant| files.as_mut().map_or(Ok(()), |files| files.row(instant));
+            let comparison = comparison::compare(&track, reference, args.lag, &mut row)?;
+            let (imu, rate_hz) = (recording.name.as_str(), 1.0 / survey.clock.interval_s());
+            let about = About { imu, rate_hz, options, shape, spans };
+            text += &table::table(&comparison);
+            if let Some(files) = files {
+                let sensors = read(recording, survey, [spans.navigate_s, flight.last.0])?;
+                filled = files.fill(&flight, &comparison, &about, &sensors)?;
+            }
+        }
+        files::place(flight.nav, filled)?;
+        let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
+        let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
+        let nav = places.nav.display();
+        let [report, messages] = [report, messages].map(Option::unwrap_or_default);
+        say(&format!("{text}written to {nav}{messages}{report}\n"))?;
+        Ok(())
+    }
 }
 
 /// What the sensors put out from one time to another, s: the recording read once more.

@@ -3,11 +3,12 @@
 use super::report::{Judgement, Report};
 use super::settings;
 use crate::input::{Complaint, InputError};
-use crate::scene::{Algorithm, Axes, Precision, Scene};
+use crate::scene::{Algorithm, Axes, Navigator as Configuration, Precision, Scene};
 use schuler::aiding::aided::fault::AidedFault;
 use schuler::aiding::aided::instant::Instant;
 use schuler::aiding::aided::measured::{Measured, Sensor};
 use schuler::aiding::aided::navigator::Aided;
+use schuler::aiding::aided::settings::Settings;
 use schuler::aiding::aided::state::AidedState;
 use schuler::aiding::aided::verdict::{Verdict, Witness};
 use schuler::digest::Digest;
@@ -52,9 +53,29 @@ pub trait Aids: Send {
     fn report(&self) -> Report;
 }
 
+/// What an aided navigator is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Made<'a> {
+    /// Frame, precision, algorithm, window.
+    pub navigator: &'a Configuration,
+    /// The samples' interval, s.
+    pub interval: Pair<f64>,
+    /// Samples per second.
+    pub rate_hz: f64,
+    /// The filter.
+    pub settings: &'a Settings<f64>,
+}
+
 /// Starts the aided navigator of a scene.
 pub fn start(scene: &Scene, initial: &Solution<f64>) -> Result<Box<dyn Aids>, InputError> {
-    let navigator = &scene.navigator;
+    let interval = Pair::new(scene.rate_hz).reciprocal();
+    let (navigator, rate_hz) = (&scene.navigator, scene.rate_hz);
+    begin(&Made { navigator, interval, rate_hz, settings: &settings::of(scene) }, initial)
+}
+
+/// Starts one from a solution.
+pub fn begin(made: &Made<'_>, initial: &Solution<f64>) -> Result<Box<dyn Aids>, InputError> {
+    let navigator = made.navigator;
     let refuse = |key: &str, what: &str, accepted: &str| {
         Err(InputError::option(key, Complaint::new(what.to_owned(), accepted.to_owned())))
     };
@@ -66,13 +87,13 @@ pub fn start(scene: &Scene, initial: &Solution<f64>) -> Result<Box<dyn Aids>, In
         return refuse("navigator.window", what, "\"auto\", \"0,4,0\"");
     }
     match (navigator.frame, navigator.precision) {
-        (Axes::LocalLevel, Precision::F64) => boxed(scene, initial, Navigator4::<f64>::new),
+        (Axes::LocalLevel, Precision::F64) => boxed(made, initial, Navigator4::<f64>::new),
         (Axes::EarthFixed, Precision::F64) => {
-            boxed(scene, initial, EarthFixedNavigator4::<f64>::new)
+            boxed(made, initial, EarthFixedNavigator4::<f64>::new)
         }
-        (Axes::LocalLevel, Precision::F32) => boxed(scene, initial, Navigator4::<f32>::new),
+        (Axes::LocalLevel, Precision::F32) => boxed(made, initial, Navigator4::<f32>::new),
         (Axes::EarthFixed, Precision::F32) => {
-            boxed(scene, initial, EarthFixedNavigator4::<f32>::new)
+            boxed(made, initial, EarthFixedNavigator4::<f32>::new)
         }
         (_, Precision::F32x2) => {
             let what = "an aided navigator has no two-float products";
@@ -83,7 +104,7 @@ pub fn start(scene: &Scene, initial: &Solution<f64>) -> Result<Box<dyn Aids>, In
 
 /// By a mechanization of an interval.
 fn boxed<R, M>(
-    scene: &Scene,
+    made: &Made<'_>,
     initial: &Solution<f64>,
     mechanization: impl FnOnce(Pair<R>) -> Result<M, StartError>,
 ) -> Result<Box<dyn Aids>, InputError>
@@ -91,18 +112,19 @@ where
     R: Scalar + Real<Mask = bool> + Record + Send,
     M: Mechanization<Real = R, Body = BodyMotion<R>, Frame: Record, State: Send> + Send + 'static,
 {
-    let interval_s = Pair::narrow(Pair::new(scene.rate_hz).reciprocal());
+    let interval_s = Pair::narrow(made.interval);
     let stopped =
         |fault: AidedFault| InputError::option("filter", Complaint::new(fault.to_string(), ""));
     let mechanization = mechanization(interval_s).map_err(|_| stopped(AidedFault::Start))?;
-    let aided = Aided::new(mechanization, interval_s, settings::of(scene)).map_err(stopped)?;
+    let settings = settings::narrow(made.settings);
+    let aided = Aided::new(mechanization, interval_s, settings).map_err(stopped)?;
     let state = aided.start(&Solution::narrow(initial)).map_err(stopped)?;
     Ok(Box::new(Flying::<M> {
         aided,
         state,
         carried: Carried::default(),
         digest: Digest::default(),
-        seen: Seen { rate_hz: scene.rate_hz, judged: Vec::new(), restarts: Vec::new() },
+        seen: Seen { rate_hz: made.rate_hz, judged: Vec::new(), restarts: Vec::new() },
     }))
 }
 

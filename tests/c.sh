@@ -35,10 +35,7 @@ lacks() {
 out=$(realpath -m "${CARGO_TARGET_DIR:-target}")/c-library
 examples=host/c/examples
 mkdir -p "$out"
-if [ -z "${SCHULER:-}" ]; then
-    cargo build --release --locked --quiet
-    SCHULER=$(realpath -m "${CARGO_TARGET_DIR:-target}")/release/schuler
-fi
+build_program
 
 warnings=(-Wall -Wextra -Werror -pedantic)
 c99=(-std=c99 "${warnings[@]}" -O2 -ffp-contract=off -Ihost/c/include)

@@ -20,9 +20,8 @@ fi
 
 runner() { tool schuler-qemu schuler-qemu "$@"; }
 
-host=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 images=$(realpath -m "${CARGO_TARGET_DIR:-tests/firmware/target}")
-cargo build --release --locked --quiet
+build_program
 builds=$(runner builds)
 while read -r triple board; do
     bins=(--bin selftest --bin budget --bin single --bin single-planned --bin navigator-f32)
@@ -55,4 +54,4 @@ if rustc --print target-libdir --target thumbv7em-none-eabihf 2>/dev/null | xarg
 else
     echo "skipped: clippy over the firmware (rustup target add thumbv7em-none-eabihf)"
 fi
-runner check "$@" "$images" "$host/release/schuler" tests/firmware/BUDGET.md
+runner check "$@" "$images" "$SCHULER" tests/firmware/BUDGET.md

@@ -20,6 +20,8 @@ CHARTS = {
     "run": 30, "dense": 20, "perfect": 20, "replay": 18, "ensemble": 20, "allan": 2, "frontier": 2, "hil": 30, "stream": 25,
     "stress": 0, "verify": 0, "compare": 0, "sensitivity": 0,
 }
+# Pages of the form of another one, which is looked at in every light.
+ALIKE = {"dense", "perfect", "stream"}
 faults = []
 
 
@@ -120,6 +122,14 @@ def used(name, page):
     again = scale(page, 0)
     if max(abs(a - b) for a, b in zip(again, whole)) > 1e-6 * abs(whole[1]):
         fault(name, f"a double click shows {again} of {whole}")
+    page.locator(".draw").first.focus()
+    page.keyboard.press("+")
+    page.wait_for_timeout(100)
+    closer = scale(page, 0)
+    page.keyboard.press("0")
+    page.wait_for_timeout(100)
+    if not closer[1] < whole[1] or abs(scale(page, 0)[1] - whole[1]) > 1e-6 * abs(whole[1]):
+        fault(name, f"keys show {closer}, {scale(page, 0)} of {whole}")
     legend = page.locator(".legend button").first
     if legend.count():
         legend.click()
@@ -140,6 +150,27 @@ def used(name, page):
                 fault(name, "its SVG is empty or has what is no number")
         if form == "CSV" and (saved.count(b"\n") < 2 or not saved.startswith(b"series,")):
             fault(name, f"its CSV is {saved[:80]}")
+
+
+def pinched(name, page):
+    """Two fingers that part show less of the first chart."""
+    if page.locator("figure.plot").count() == 0 or page.evaluate("plots[0].spec.map"):
+        return
+    whole = scale(page, 0)
+    page.evaluate(
+        """() => {
+          const over = plots[0].u.over, { left, top, width } = over.getBoundingClientRect();
+          const touch = (type, parts) => over.dispatchEvent(new TouchEvent(type, { cancelable: true, touches: parts.map(
+            (part, identifier) => new Touch({ identifier, target: over, clientX: left + part * width, clientY: top + 20 })) }));
+          touch("touchstart", [0.4, 0.6]);
+          touch("touchmove", [0.2, 0.8]);
+        }"""
+    )
+    page.wait_for_timeout(100)
+    near = scale(page, 0)
+    share = (near[1] - near[0]) / (whole[1] - whole[0])
+    if not page.evaluate("plots[0].spec.x.log") and abs(share - 1 / 3) > 0.01:
+        fault(name, f"two fingers show {share} of the whole, not a third")
 
 
 def budget(page):
@@ -187,7 +218,8 @@ def main():
         browser = playwright.chromium.launch(executable_path=chromium, args=ARGUMENTS)
         for path in pages:
             name = path.parent.name
-            for how, width, scheme in [("light", 1280, "light"), ("dark", 1280, "dark"), ("narrow", 380, "light")]:
+            views = [("light", 1280, "light"), ("dark", 1280, "dark"), ("narrow", 380, "light")]
+            for how, width, scheme in views[:1] if name in ALIKE else views:
                 page = browser.new_page(viewport={"width": width, "height": 900}, color_scheme=scheme)
                 page.on("console", lambda message: fault(name, f"{message.type}: {message.text}"))
                 page.on("pageerror", lambda error: fault(name, f"error: {error}"))
@@ -202,6 +234,8 @@ def main():
                     used(name, page)
                     if name == "frontier":
                         budget(page)
+                if how == "narrow":
+                    pinched(name, page)
                 accessible(name, page, how)
                 if how == "light":
                     page.emulate_media(media="print", color_scheme="dark")

@@ -60,6 +60,16 @@ build_package() {
     fi
 }
 
+# build_program: builds the program, unless SCHULER names one that is built already, and sets SCHULER. The wheel of
+# host/python asks other people's crates for more features than the program does: with these, both share what is compiled.
+build_program() {
+    if [ -n "${SCHULER:-}" ]; then return; fi
+    cargo build --release --locked --quiet --package schuler-host --package schuler-python \
+        --features schuler-python/module --bin schuler
+    SCHULER=$(realpath -m "${CARGO_TARGET_DIR:-target}")/release/schuler
+    export SCHULER
+}
+
 # tool PACKAGE NAME [ARGUMENT …]: a program of the tests, as tests/run has built it beside the tests; else it
 # is built. Alone it takes other features of other people's crates, and with them another build of the host.
 tool() {

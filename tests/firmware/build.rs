@@ -12,10 +12,11 @@ const MAPS: [(&str, &str); 4] = [
 ];
 
 /// What is done with defmt's table in each image.
-const SCRIPTS: [(&str, &str); 7] = [
+const SCRIPTS: [(&str, &str); 8] = [
     ("selftest", "defmt.x"),
     ("circuit", "defmt.x"),
     ("budget", "defmt.x"),
+    ("aiding", "defmt.x"),
     ("navigator", "quiet.x"),
     ("navigator-f32", "quiet.x"),
     ("single", "quiet.x"),

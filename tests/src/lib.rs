@@ -138,6 +138,8 @@ pub fn at_rest(duration_s: f64) -> Scene {
         gyro: SensorErrors::default(),
         accelerometer: SensorErrors::default(),
         initial_error: InitialError::default(),
+        aiding: Default::default(),
+        alignment: None,
         navigator: Navigator::default(),
         link: Link::default(),
     }

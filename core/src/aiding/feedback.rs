@@ -56,9 +56,9 @@ impl<R: Real, const N: usize, const P: usize, const E: usize> Filter<R, N, P, E>
     /// Feeds estimated errors back: into the biases and the further states here, and as a correction that the
     /// mechanization is to take. `pose` is that of the state before the correction.
     ///
-    /// The covariance stays as it is, also where the correction is large. What measurements said of tilt and bias
-    /// together, ψ×g = b, they said of the errors about the attitude that was computed then: turned with the
-    /// correction it would contradict the next ones, and seem to show the biases.
+    /// The covariance stays as it is. That errors about the corrected state are turned by half the correction is of the
+    /// second order, as what Φ leaves out of ψ × u; to take the one without the other would tell a tilt from a
+    /// bias of the accelerometers, which nothing at rest does.
     pub fn feed(
         &mut self,
         model: &Model<R>,

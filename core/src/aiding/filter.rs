@@ -150,8 +150,9 @@ impl<R: Real, const N: usize, const P: usize, const E: usize> Filter<R, N, P, E>
     /// Takes a vector of measurements, or refuses it as a whole if its NIS exceeds the limit: then every bit of the
     /// state stays. The result has the estimated errors, which are to be [fed back](Self::feed).
     pub fn measure<const M: usize>(&mut self, rows: &Rows<R, N, M>, limit: R) -> Judged<R, N> {
-        let (ud, judged) = super::gate::judge(&self.ud, rows, limit);
-        self.ud.replace(judged.accepted, &ud);
+        let before = self.ud;
+        let judged = super::gate::judge(&mut self.ud, rows, limit);
+        self.ud.revert_unless(judged.accepted, &before);
         judged
     }
 

@@ -31,6 +31,7 @@ pub struct Rows<R, const N: usize, const M: usize> {
 
 /// What became of a vector.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Judged<R: Real, const N: usize> {
     /// The estimated errors; 0 if it was refused.
     pub errors: [R; N],
@@ -40,14 +41,13 @@ pub struct Judged<R: Real, const N: usize> {
     pub accepted: R::Mask,
 }
 
-/// The covariance after a vector, whether accepted or not, and the judgement of it.
+/// Takes a vector, whether it is to be accepted or not, and judges it.
 #[inline(never)]
 pub(super) fn judge<R: Real, const N: usize, const P: usize, const M: usize>(
-    ud: &Ud<R, N, P>,
+    ud: &mut Ud<R, N, P>,
     vector: &Rows<R, N, M>,
     limit: R,
-) -> (Ud<R, N, P>, Judged<R, N>) {
-    let mut ud = *ud;
+) -> Judged<R, N> {
     let (mut errors, mut nis) = ([R::ZERO; N], R::ZERO);
     for ((h, y), variance) in vector.rows.iter().zip(vector.innovation).zip(vector.variance) {
         let explained = h.iter().zip(&errors).fold(R::ZERO, |sum, (h, x)| sum + *h * *x);
@@ -62,7 +62,7 @@ pub(super) fn judge<R: Real, const N: usize, const P: usize, const M: usize>(
     // A NIS that is not a number is not below the limit.
     let accepted = nis.less(limit);
     let errors = errors.map(|x| R::select(accepted, x, R::ZERO));
-    (ud, Judged { errors, nis, accepted })
+    Judged { errors, nis, accepted }
 }
 
 /// When a vector is refused, and after how many refusals in a row its sensor counts as locked out.

@@ -58,19 +58,7 @@ impl<R: Real> Transition<R> {
     }
 }
 
-/// Takes a row and its innovation past a correction by estimated errors.
-pub fn past_correction<R: Real, const N: usize>(
-    row: &mut [R; N],
-    innovation: &mut R,
-    errors: &[R; N],
-) {
-    *innovation = row.iter().zip(errors).fold(*innovation, |y, (h, x)| y - *h * *x);
-    // ψ⁺ = (I + ½[ψ×] + …)ε_ψ,  δr⁺ = ε_r + δr × ψ⁺, as the covariance turns with a correction
-    let [r, v, psi, gyro, force] = parts(row);
-    let [moved, gained, turned, ..] = parts(errors);
-    let once = turned.cross(psi);
-    let psi = psi + once * R::HALF + turned.cross(once) * R::ratio(1, 12)
-        - r.cross(moved)
-        - v.cross(gained);
-    put(row, [r, v, psi, gyro, force]);
+/// Takes the innovation of a row past a correction by estimated errors.
+pub fn past_correction<R: Real, const N: usize>(row: &[R; N], innovation: R, errors: &[R; N]) -> R {
+    row.iter().zip(errors).fold(innovation, |y, (h, x)| y - *h * *x)
 }

@@ -241,18 +241,21 @@ impl Parameter {
     }
 
     /// One value for all axes that is zero or more.
+    #[cfg(feature = "aiding")]
     pub(super) fn size<R: Scalar>(self, value: R) -> Result<R, ParameterError> {
         at_least_zero(value).map_err(|fault| self.fault(fault))?;
         Ok(value)
     }
 
     /// One value for all axes, of any sign.
+    #[cfg(feature = "aiding")]
     pub(super) fn number<R: Scalar>(self, value: R) -> Result<R, ParameterError> {
         finite(value).map_err(|fault| self.fault(fault))?;
         Ok(value)
     }
 
     /// A probability.
+    #[cfg(feature = "aiding")]
     pub(super) fn share<R: Scalar>(self, value: R) -> Result<R, ParameterError> {
         let value = self.size(value)?;
         if value > R::ONE { Err(self.fault(Fault::OutOfRange)) } else { Ok(value) }

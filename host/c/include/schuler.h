@@ -269,6 +269,30 @@
 /** quantization: negative, not finite or out of range */
 #define SCHULER_PARAMETER_QUANTIZATION -93
 
+/** misalignment matrix: not finite or out of range */
+#define SCHULER_PARAMETER_MISALIGNMENT_MATRIX -100
+
+/** g-sensitivity matrix: not finite or out of range */
+#define SCHULER_PARAMETER_G_SENSITIVITY_MATRIX -101
+
+/** temperature and its rate: not finite */
+#define SCHULER_PARAMETER_TEMPERATURE -102
+
+/** how long the temperature changes: not positive or not finite */
+#define SCHULER_PARAMETER_RAMP_TIME -103
+
+/** bias by temperature: not finite or out of range */
+#define SCHULER_PARAMETER_TEMPERATURE_BIAS -104
+
+/** scale factor by temperature: not finite or out of range */
+#define SCHULER_PARAMETER_TEMPERATURE_SCALE -105
+
+/** bandwidth: not positive, not finite or out of range */
+#define SCHULER_PARAMETER_BANDWIDTH -106
+
+/** latency: negative, not finite or longer than 8 samples */
+#define SCHULER_PARAMETER_LATENCY -107
+
 /** the payload is longer than a frame holds */
 #define SCHULER_ERROR_PAYLOAD -96
 
@@ -427,6 +451,22 @@ typedef struct {
     float saturation[3];
     /** The least significant bit, angle. */
     float quantization[3];
+    /** Misalignment of each axis by itself, rad: a row for each sensor, its parts along the body axes. An
+     * element of the diagonal acts as a scale factor. */
+    float misalignment_matrix[3][3];
+    /** Of gyros: rad/s per m/s^2, a row for each gyro, its parts along the body axes. Of accelerometers 0. */
+    float g_sensitivity_matrix[3][3];
+    /** Temperature less that of calibration: at the start, K; how it changes, K/s; until when, s, which is
+     * above 0 where one of the next two terms is there. */
+    float temperature_ramp[3];
+    /** Bias by temperature, angle/s/K. */
+    float temperature_bias[3];
+    /** Scale factor error by temperature, 1/K. */
+    float temperature_scale[3];
+    /** Bandwidth (-3 dB, first order), Hz; above 0 on every axis where there is one. */
+    float bandwidth[3];
+    /** Delay of the output, s; at most 8 samples. */
+    float latency[3];
 } schuler_triad_f32;
 
 /** A unit of gyros and accelerometers, emulated in f64. Allocate it anywhere. */
@@ -462,6 +502,22 @@ typedef struct {
     double saturation[3];
     /** The least significant bit, angle. */
     double quantization[3];
+    /** Misalignment of each axis by itself, rad: a row for each sensor, its parts along the body axes. An
+     * element of the diagonal acts as a scale factor. */
+    double misalignment_matrix[3][3];
+    /** Of gyros: rad/s per m/s^2, a row for each gyro, its parts along the body axes. Of accelerometers 0. */
+    double g_sensitivity_matrix[3][3];
+    /** Temperature less that of calibration: at the start, K; how it changes, K/s; until when, s, which is
+     * above 0 where one of the next two terms is there. */
+    double temperature_ramp[3];
+    /** Bias by temperature, angle/s/K. */
+    double temperature_bias[3];
+    /** Scale factor error by temperature, 1/K. */
+    double temperature_scale[3];
+    /** Bandwidth (-3 dB, first order), Hz; above 0 on every axis where there is one. */
+    double bandwidth[3];
+    /** Delay of the output, s; at most 8 samples. */
+    double latency[3];
 } schuler_triad_f64;
 
 /** Collects bytes until a frame is complete. Allocate it anywhere. */

@@ -1,22 +1,29 @@
-//! Perfect increments in, those of a real unit out: the error terms of the core but matrices, temperature, bandwidth
-//! and latency.
+//! Perfect increments in, those of a real unit out: every error term of the core.
 
 use crate::held::{Keep, held_mut, keep};
 use crate::pointer::{get, put};
 use crate::results::{Code, result};
 use crate::values::{schuler_increment_f32, schuler_increment_f64, vector};
 use pastey::paste;
+use schuler::math::quaternion::Matrix;
 use schuler::sensor::Timing;
+use schuler::sensor::bandwidth::Bandwidth;
 use schuler::sensor::constant::Constant;
 use schuler::sensor::emulator::{Emulator, State};
 use schuler::sensor::flicker::Flicker;
 use schuler::sensor::g_sensitivity::GSensitivity;
+use schuler::sensor::g_sensitivity_matrix::GSensitivityMatrix;
 use schuler::sensor::gauss_markov::GaussMarkov;
+use schuler::sensor::latency::Latency;
 use schuler::sensor::misalignment::Misalignment;
+use schuler::sensor::misalignment_matrix::MisalignmentMatrix;
 use schuler::sensor::quantization::Quantization;
 use schuler::sensor::random_walk::RandomWalk;
 use schuler::sensor::saturation::Saturation;
 use schuler::sensor::scale_factor::ScaleFactor;
+use schuler::sensor::temperature::Ramp;
+use schuler::sensor::temperature_bias::TemperatureBias;
+use schuler::sensor::temperature_scale::TemperatureScale;
 use schuler::sensor::triad::Triad;
 use schuler::sensor::turn_on::TurnOn;
 use schuler::sensor::white::White;
@@ -62,6 +69,22 @@ macro_rules! emulator {
             pub saturation: [$number; 3],
             /// The least significant bit, angle.
             pub quantization: [$number; 3],
+            /// Misalignment of each axis by itself, rad: a row for each sensor, its parts along the body axes. An element of
+            /// the diagonal acts as a scale factor.
+            pub misalignment_matrix: [[$number; 3]; 3],
+            /// Of gyros: rad/s per m/s^2, a row for each gyro, its parts along the body axes. Of accelerometers 0.
+            pub g_sensitivity_matrix: [[$number; 3]; 3],
+            /// Temperature less that of calibration: at the start, K; how it changes, K/s; until when, s, which is above 0
+            /// where one of the next two terms is there.
+            pub temperature_ramp: [$number; 3],
+            /// Bias by temperature, angle/s/K.
+            pub temperature_bias: [$number; 3],
+            /// Scale factor error by temperature, 1/K.
+            pub temperature_scale: [$number; 3],
+            /// Bandwidth (-3 dB, first order), Hz; above 0 on every axis where there is one.
+            pub bandwidth: [$number; 3],
+            /// Delay of the output, s; at most 8 samples.
+            pub latency: [$number; 3],
         }
 
         #[doc = "A unit of gyros and accelerometers, emulated in " $number ". Allocate it anywhere."]
@@ -77,10 +100,15 @@ macro_rules! emulator {
             timing: Timing<$number>,
         ) -> Result<Triad<$number>, Code> {
             let given = |term: [$number; 3]| term.iter().any(|&x| x != 0.0).then(|| vector(term));
+            let rows = |term: [[$number; 3]; 3]| {
+                term.as_flattened().iter().any(|&x| x != 0.0).then(|| Matrix::from(term))
+            };
             let [<schuler_triad_ $number>] {
                 constant, turn_on, gauss_markov, correlation_s, white, random_walk, instability, scale_factor,
-                misalignment, g_sensitivity, saturation, quantization,
+                misalignment, g_sensitivity, saturation, quantization, misalignment_matrix, g_sensitivity_matrix,
+                temperature_ramp: [start_k, rate_k_s, until_s], temperature_bias, temperature_scale, bandwidth, latency,
             } = *triad;
+            let ramp = || Ramp::new(start_k, rate_k_s, until_s, timing);
             Ok(Triad {
                 constant: given(constant).map(|x| Constant::new(x, timing)).transpose()?,
                 turn_on: given(turn_on).map(|x| TurnOn::new(x, timing)).transpose()?,
@@ -95,7 +123,16 @@ macro_rules! emulator {
                 g_sensitivity: given(g_sensitivity).map(GSensitivity::new).transpose()?,
                 saturation: given(saturation).map(|x| Saturation::new(x, timing)).transpose()?,
                 quantization: given(quantization).map(Quantization::new).transpose()?,
-                ..Triad::PERFECT
+                misalignment_matrix: rows(misalignment_matrix).map(MisalignmentMatrix::new).transpose()?,
+                g_sensitivity_matrix: rows(g_sensitivity_matrix).map(GSensitivityMatrix::new).transpose()?,
+                temperature_bias: given(temperature_bias)
+                    .map(|x| TemperatureBias::new(x, ramp()?, timing))
+                    .transpose()?,
+                temperature_scale: given(temperature_scale)
+                    .map(|x| TemperatureScale::new(x, ramp()?))
+                    .transpose()?,
+                bandwidth: given(bandwidth).map(|x| Bandwidth::new(x, timing)).transpose()?,
+                latency: given(latency).map(|x| Latency::new(x, timing)).transpose()?,
             })
         }
 

@@ -96,6 +96,14 @@ results! {
     SCHULER_PARAMETER_G_SENSITIVITY PARAMETER_G_SENSITIVITY = -91, "g-sensitivity: not finite or out of range";
     SCHULER_PARAMETER_SATURATION PARAMETER_SATURATION = -92, "saturation: not positive, not finite or out of range";
     SCHULER_PARAMETER_QUANTIZATION PARAMETER_QUANTIZATION = -93, "quantization: negative, not finite or out of range";
+    SCHULER_PARAMETER_MISALIGNMENT_MATRIX PARAMETER_MISALIGNMENT_MATRIX = -100, "misalignment matrix: not finite or out of range";
+    SCHULER_PARAMETER_G_SENSITIVITY_MATRIX PARAMETER_G_SENSITIVITY_MATRIX = -101, "g-sensitivity matrix: not finite or out of range";
+    SCHULER_PARAMETER_TEMPERATURE PARAMETER_TEMPERATURE = -102, "temperature and its rate: not finite";
+    SCHULER_PARAMETER_RAMP_TIME PARAMETER_RAMP_TIME = -103, "how long the temperature changes: not positive or not finite";
+    SCHULER_PARAMETER_TEMPERATURE_BIAS PARAMETER_TEMPERATURE_BIAS = -104, "bias by temperature: not finite or out of range";
+    SCHULER_PARAMETER_TEMPERATURE_SCALE PARAMETER_TEMPERATURE_SCALE = -105, "scale factor by temperature: not finite or out of range";
+    SCHULER_PARAMETER_BANDWIDTH PARAMETER_BANDWIDTH = -106, "bandwidth: not positive, not finite or out of range";
+    SCHULER_PARAMETER_LATENCY PARAMETER_LATENCY = -107, "latency: negative, not finite or longer than 8 samples";
     SCHULER_ERROR_PAYLOAD PAYLOAD = -96, "the payload is longer than a frame holds";
     SCHULER_ERROR_KIND KIND = -97, "there is no such kind of frame";
     SCHULER_ERROR_OTHER OTHER = -127, "an error that this version of the header has no name for";
@@ -135,6 +143,10 @@ from! {
         BiasInstability PARAMETER_INSTABILITY, ScaleFactor PARAMETER_SCALE_FACTOR,
         Misalignment PARAMETER_MISALIGNMENT, GSensitivity PARAMETER_G_SENSITIVITY,
         Saturation PARAMETER_SATURATION, Quantization PARAMETER_QUANTIZATION,
+        MisalignmentMatrix PARAMETER_MISALIGNMENT_MATRIX, GSensitivityMatrix PARAMETER_G_SENSITIVITY_MATRIX,
+        Temperature PARAMETER_TEMPERATURE, RampTime PARAMETER_RAMP_TIME,
+        TemperatureBias PARAMETER_TEMPERATURE_BIAS, TemperatureScale PARAMETER_TEMPERATURE_SCALE,
+        Bandwidth PARAMETER_BANDWIDTH, Latency PARAMETER_LATENCY,
     }
 }
 

@@ -24,18 +24,18 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
             eprintln!("{note}");
         }
     })?;
+    let messages = args.mcap.as_deref().map(|file| format!(" and {}", file.display()));
+    let messages = messages.unwrap_or_default();
+    say(&format!("{}written to {}{messages}\n", text(&flight), directory.display()))?;
+    end
+}
+
+/// What is said of a flight.
+pub fn text(flight: &Flight) -> String {
     let neglected = flight.neglected.map(|neglected| neglected.line()).unwrap_or_default();
     let aligned = flight.aligned.as_ref().map(table::begun).unwrap_or_default();
     let aided = flight.aided.as_ref().map(aided::lines).unwrap_or_default();
-    let notes = aligned + &aided + &report::planned(&flight) + &neglected;
-    let messages = args.mcap.as_deref().map(|file| format!(" and {}", file.display()));
-    let messages = messages.unwrap_or_default();
-    say(&format!(
-        "{}{notes}written to {}{messages}\n",
-        report::table(&flight),
-        directory.display()
-    ))?;
-    end
+    report::table(flight) + &aligned + &aided + &report::planned(flight) + &neglected
 }
 
 /// Flies, and puts the files in their places: what was flown, and what ended it early, if anything.

@@ -134,6 +134,13 @@ fn what_another_command_left_is_not_replaced_in_silence() {
     assert_eq!(run("run paper --duration 5 --no-report --seed 3 --out other"), "");
     let said = run("hil paper --duration 5 --no-report");
     assert!(said.contains("--seed 2`"), "{said}");
+    let many = "ensemble paper --runs 8 --duration 5";
+    assert_eq!((run(many), run(many)), (String::new(), String::new()));
+    let said = run(&format!("{many} --seed 2"));
+    assert!(
+        said.contains("`schuler ensemble paper --runs 8 ") && !said.contains("--seed"),
+        "{said}"
+    );
 }
 
 #[cfg(target_os = "linux")]

@@ -31,6 +31,7 @@ use schuler::flight::configuration::{Algorithm, Configuration};
 use schuler::math::compensated::Pair;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
+use schuler::strapdown::correction::{Correction, CorrectionError};
 use schuler::strapdown::limits::Rejected;
 
 /// Who reads rows: how many samples lie behind the row, and the navigation there.
@@ -55,6 +56,8 @@ pub trait Navigate: Send {
     fn finish(&mut self, read: &mut Reader);
     /// Sets height and vertical velocity at the end of the last block.
     fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected>;
+    /// Corrects the state at the end of the last block.
+    fn correct(&mut self, correction: &Correction<f64>) -> Result<(), CorrectionError>;
     /// Samples integrated so far.
     fn integrated(&self) -> u64;
     /// How long the windows at the edges were so far; `None` for textbook.

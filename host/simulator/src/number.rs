@@ -161,7 +161,7 @@ mod tests {
             assert_eq!(Quantity::Position.unit(largest).name, name, "{largest}");
         }
         assert_eq!(Quantity::Attitude.show(-1.8e5), "-50.00 °");
-        assert_eq!(Quantity::Attitude.show(1800.0), "0.5000 °");
+        assert_eq!(Quantity::Attitude.show(1800.0), "0.500 °");
         assert_eq!(Quantity::Attitude.show(1799.0), "1799 arcsec");
         assert_eq!(Quantity::Velocity.show(2.5e-4), "250.0 µm/s");
     }

@@ -8,10 +8,12 @@
 //! | `way` | the folders of its path |
 //! | `table` | CSV files |
 //! | `stop` | what is removed when the program is told to stop |
+//! | [`heard`] | what is said while somebody listens |
 
 mod aside;
 mod file;
 mod growing;
+pub mod heard;
 pub mod stop;
 mod table;
 mod way;
@@ -24,8 +26,11 @@ use crate::input::{Complaint, InputError};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Prints a text; nobody listening any more is the end of the program, not an error.
+/// Prints a text, unless it is [overheard](heard::overheard); nobody listening any more is the end of the program, not an error.
 pub fn say(text: &str) -> Result<(), InputError> {
+    if heard::hears(text) {
+        return Ok(());
+    }
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {

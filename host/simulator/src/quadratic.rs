@@ -1,4 +1,6 @@
-//! Quadratic forms: how far an error is from nothing, measured by a covariance.
+//! Quadratic forms: how far an error is from nothing, measured by a covariance, and what chance makes of their means.
+
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// eᵀP⁻¹e by Cholesky's factor: L·z = e, P = L·Lᵀ. Not a number where P is no covariance.
 pub fn quadratic<const N: usize>(p: &[[f64; N]; N], e: &[f64; N]) -> f64 {
@@ -16,6 +18,13 @@ pub fn quadratic<const N: usize>(p: &[[f64; N]; N], e: &[f64; N]) -> f64 {
         z[i] = (e[i] / scale[i] - known) / l[i][i];
     }
     z.iter().map(|z| z * z).sum()
+}
+
+/// Where 95 % of such forms lie by their expected value, where all of them together have so many degrees of freedom; not
+/// numbers where they have none.
+pub fn by_chance(freedom: f64) -> [f64; 2] {
+    ChiSquared::new(freedom)
+        .map_or([f64::NAN; 2], |law| [0.025, 0.975].map(|part| law.inverse_cdf(part) / freedom))
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use schuler::aiding::aided::settings::Settings;
 use schuler::noise::Streams;
 use schuler::prelude::*;
 use schuler::record::Record;
+use schuler::trajectory::Trajectory as _;
 use schuler::units::DEGREE;
 
 const SECONDS: usize = 40;
@@ -170,5 +171,49 @@ fn without_a_horizon_a_late_measurement_counts_as_in_time() {
         let north = (position.latitude - prompt.latitude).hi * 6.37e6;
         assert!(north.abs() < 0.02 * sigma[0], "{samples} samples late: {north} m of {}", sigma[0]);
         assert!((other[0] / sigma[0] - 1.0).abs() < 0.01);
+    }
+}
+
+#[test]
+fn between_samples_the_navigator_knows_where_it_was() {
+    // Perfect samples, and perfect fixes at odd times that come late: what is left is interpolation.
+    let flight = super::drive::course();
+    let mut settings = settings::<f64>(1e-4);
+    settings.start.position_m = 1e-3;
+    settings.start.velocity_m_s = 1e-4;
+    settings.start.level_rad = 1e-6;
+    settings.start.heading_rad = 1e-6;
+    let navigator = Navigator4::<f64>::from_rate_hz(RATE_HZ).unwrap();
+    let aided = Aided15::new(navigator, Pair::of(0.01), settings).unwrap();
+    let mut state = aided.start(&truth().solutions[0]).unwrap();
+    let mut verdicts = super::drive::Verdicts(Vec::new());
+    let lever = super::drive::LEVER;
+    let mut pending = Vec::new();
+    for (k, sample) in truth().increments[..3000].iter().enumerate() {
+        if k % 137 == 100 {
+            let time_s = (k as f64 + 0.37) / RATE_HZ;
+            let solution = flight.initial_at(Pair::new(time_s));
+            let rate = flight.rates_at(Pair::new(time_s)).rate_ib_b;
+            let motion = schuler::sensor::aiding::truth::Truth::of(&solution, rate);
+            let place = motion.position_at(motion.body_to_ned * lever);
+            let at = Instant::from_seconds(time_s, RATE_HZ).unwrap();
+            let velocity = motion.velocity_at(lever);
+            let fix = Measured::position_velocity(at, place, three(1e-3), velocity, three(1e-3));
+            pending.push((k + (k % 53), fix));
+        }
+        for (_, fix) in pending.extract_if(.., |(when, _)| *when == k) {
+            aided.measure(&mut state, &fix).unwrap();
+        }
+        aided.push_seen(&mut state, *sample, &mut verdicts).unwrap();
+    }
+    assert!(verdicts.0.len() > 18 && verdicts.0.iter().any(|v| v.age_s > 0.4));
+    for verdict in &verdicts.0 {
+        // Innovations of less than a tenth of a millimetre and of a millimetre per second.
+        assert!(
+            verdict.accepted && verdict.nis < 0.01,
+            "{} s late: {}",
+            verdict.age_s,
+            verdict.nis
+        );
     }
 }

@@ -31,9 +31,13 @@ fn words(state: &impl Record) -> Vec<u64> {
     words
 }
 
+/// Spoils settings.
+type Change = fn(&mut Settings<f64>);
+
 #[test]
 fn settings_are_checked() {
-    let faults: [(fn(&mut Settings<f64>), AidedFault); 9] = [
+    let faults: [(Change, AidedFault); 10] = [
+        (|s| s.horizon_samples = Some(161), AidedFault::Horizon),
         (|s| s.start.heading_rad = 0.0, AidedFault::Settings),
         (|s| s.start.position_m = f64::NAN, AidedFault::Settings),
         (|s| s.states.gyro_noise = -1e-5, AidedFault::Settings),

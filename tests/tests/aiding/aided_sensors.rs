@@ -4,7 +4,7 @@ use super::drive::{self, LEVER, RATE_HZ, Truth, fly, heard, receiver, settings};
 use super::figures::{Flown, Read, quadratic};
 use schuler::aiding::aided::instant::Instant;
 use schuler::aiding::aided::measured::{Measured, Sensor};
-use schuler::aiding::aided::navigator::{Aided, Aided21};
+use schuler::aiding::aided::navigator::{Aided, Aided15, Aided21};
 use schuler::aiding::aided::settings::Settings;
 use schuler::aiding::aided::state::AidedState;
 use schuler::aiding::states::Process;
@@ -120,6 +120,42 @@ fn wheels_and_barometer_bridge_an_outage() {
     }
     consistent(sum, 54.0);
     consistent(scales, 6.0);
+}
+
+#[test]
+fn wheels_do_not_mislead_a_heading_that_is_looked_for() {
+    let truth = shuttle(60.0);
+    let receiver = receiver();
+    let wheels = Wheels::new(Line::every(0.1), 0.05);
+    for (number, heading) in (0..).zip([150.0, -100.0, 179.0]) {
+        let mut run = drive::run(&truth, number, 0.0);
+        let turn = Euler { yaw: heading * DEGREE, ..Euler::default() }.quaternion();
+        run.start.attitude = turn.map(Pair::new) * run.start.attitude;
+        let mut all = heard::<f64>(&receiver, &run, &truth);
+        let mut state = wheels.start(1, number);
+        let said =
+            epochs(0.1, 60.0).filter_map(|k| wheels.measure(&mut state, Instant::of_sample(k)));
+        all.extend(said.map(|d| (d.arrives_s, d.measured)));
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let aided = aided(|s| s.start.heading_rad = 1.8);
+        let (flown, state) = fly(&aided, &run, &truth, &all);
+        assert!(!state.looks_for_heading());
+        let (error, variance) = (last(&flown).errors[8], last(&flown).covariance[8][8]);
+        assert!(error * error < 16.0 * variance && variance.sqrt() < 0.1 * DEGREE, "{heading}°");
+    }
+}
+
+#[test]
+fn the_end_of_a_stream_is_not_lost() {
+    let truth = shuttle(5.0);
+    let run = drive::run(&truth, 0, 0.0);
+    let navigator = Navigator8::<f64>::from_rate_hz(RATE_HZ).unwrap();
+    let aided = Aided15::new(navigator, Pair::of(0.01), settings(HEADING)).unwrap();
+    let (_, mut state) = fly(&aided, &run, &truth, &heard(&receiver(), &run, &truth));
+    // The last fix waits for samples that no longer come.
+    assert_eq!((state.integrated(), state.tally(Sensor::Gnss).accepted()), (496, 4));
+    aided.finish(&mut state, &mut ());
+    assert_eq!((state.integrated(), state.tally(Sensor::Gnss).accepted()), (500, 5));
 }
 
 #[test]

@@ -43,10 +43,10 @@ fn transpose(a: &Matrix) -> Matrix {
 /// A·P·Aᵀ.
 pub fn mapped(a: &Matrix, p: &Matrix) -> Matrix {
     let mut q = product(&product(a, p), &transpose(a));
-    for i in 0..N {
-        for j in 0..i {
-            let mean = 0.5 * (q[i][j] + q[j][i]);
-            (q[i][j], q[j][i]) = (mean, mean);
+    let mirrored = transpose(&q);
+    for (row, other) in q.iter_mut().zip(&mirrored) {
+        for (x, y) in row.iter_mut().zip(other) {
+            *x = 0.5 * (*x + y);
         }
     }
     q

@@ -59,10 +59,10 @@ fn a_receiver_has_the_noise_it_is_told() {
     let errors: Vec<_> = said.iter().map(|d| off(&d.measured, gnss.lever_b)).collect();
     let n = errors.len() as f64;
     let expected = [5.0, 5.0, 25.0];
-    for axis in 0..3 {
+    for (axis, expected) in expected.into_iter().enumerate() {
         let x = |k: usize| errors[k].into_array()[axis];
         let variance = (0..errors.len()).map(|k| x(k) * x(k)).sum::<f64>() / n;
-        assert!((variance / expected[axis] - 1.0).abs() < 0.06, "{axis}: {variance}");
+        assert!((variance / expected - 1.0).abs() < 0.06, "{axis}: {variance}");
         // From epoch to epoch only the correlated part stays, by e^(−0.1).
         let next = (1..errors.len()).map(|k| x(k) * x(k - 1)).sum::<f64>() / n;
         let correlated = gnss.position.correlated.into_array()[axis].powi(2) * (-0.1_f64).exp();

@@ -14,6 +14,7 @@ mod factors;
 mod figures;
 mod filter;
 mod riccati;
+mod smoother;
 mod standstill;
 mod transition;
 mod transport;

@@ -3,7 +3,6 @@
 use super::factors::matrices;
 use schuler::aiding::chi_square::{exceedance, quantile};
 use schuler::aiding::transition::{Stretch, Transition};
-use schuler::aiding::transport::past_correction;
 use schuler::prelude::*;
 
 #[test]
@@ -29,20 +28,6 @@ fn a_row_goes_through_a_step_by_the_inverse_of_its_transition() {
             assert!((back - h[column]).abs() < bound, "{column}: {back} for {}", h[column]);
         }
     }
-}
-
-#[test]
-fn a_row_goes_past_a_correction() {
-    let mut row: [f64; 15] = core::array::from_fn(|n| 1.0 + n as f64);
-    let before = row;
-    let errors: [f64; 15] = core::array::from_fn(|n| 1e-5 * (n as f64 - 7.0));
-    let mut innovation = 2.0;
-    past_correction(&mut row, &mut innovation, &errors);
-    let taken: f64 = before.iter().zip(errors).map(|(h, x)| h * x).sum();
-    assert!((innovation - (2.0 - taken)).abs() < 1e-15);
-    // The axes of the attitude's error turn with the correction, by its own size.
-    assert!(row.iter().zip(before).all(|(a, b)| (a - b).abs() < 3e-3));
-    assert_eq!((row[0], row[5], row[9], row[14]), (before[0], before[5], before[9], before[14]));
 }
 
 #[test]

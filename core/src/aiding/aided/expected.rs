@@ -16,6 +16,7 @@ use crate::math::real::Scalar;
 use crate::math::vector::Vector;
 
 /// A measurement in the light of a moment.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Expected<'a, R> {
     /// The vehicle when it was true.
     pub moment: &'a Moment<R>,

@@ -18,6 +18,8 @@ pub enum AidedFault {
     Settings,
     /// A lever arm that is not finite, or longer than 100 m.
     Lever,
+    /// A horizon longer than half of what is remembered: `L` steps.
+    Horizon,
     /// An attitude or a place from which navigation cannot start.
     Start,
     /// A sample that the mechanization refuses.
@@ -47,6 +49,7 @@ impl core::fmt::Display for AidedFault {
                 "every standard deviation must be above 0, and the states must fit the filter"
             }
             Self::Lever => "a lever arm must be finite and at most 100 m long",
+            Self::Horizon => "the horizon must be at most half as long as the steps that are remembered",
             Self::Start => "navigation cannot start from this attitude and place",
             Self::Rejected(rejected) => return rejected.fmt(f),
             Self::Time => "the part of a sample must be at least 0 and below 1",

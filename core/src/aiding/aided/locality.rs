@@ -38,19 +38,27 @@ impl<R: Scalar> Reference<R> {
         [s + (c * odd - s * even), c - (s * odd + c * even)]
     }
 
-    /// The Earth at a position. The reference follows where the position is too far from it.
-    pub fn follow(&mut self, position: &Geodetic<Pair<R>>) -> Locality<R> {
-        if !(position.latitude.hi - self.latitude).is_within(R::of(FARTHEST)) {
-            *self = Self::at(position.latitude);
+    /// The reference itself, or one at the position where that is too far from it.
+    pub fn followed(&self, position: &Geodetic<Pair<R>>) -> Self {
+        if (position.latitude.hi - self.latitude).is_within(R::of(FARTHEST)) {
+            *self
+        } else {
+            Self::at(position.latitude)
         }
-        let [sine, cosine] = self.nearby(position.latitude);
+    }
+
+    /// The Earth at a position.
+    pub fn locality(&self, position: &Geodetic<Pair<R>>) -> Locality<R> {
+        let reference = self.followed(position);
+        let [sine, cosine] = reference.nearby(position.latitude);
         let here = Surroundings::from_latitude(sine, cosine, position.altitude.hi);
-        Locality { here, reference: *self }
+        Locality { here, reference }
     }
 }
 
 /// The Earth at the vehicle.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Locality<R> {
     /// Its rate, gravity and radii.
     pub here: Surroundings<R>,

@@ -17,6 +17,7 @@ use crate::strapdown::correction::turn;
 
 /// The vehicle at a time.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Moment<R> {
     /// A position near it.
     pub base: Geodetic<Pair<R>>,

@@ -66,6 +66,7 @@ const AHEAD: u64 = 4096;
 /// An aided navigator by a mechanization: configuration. Its filter has `N` = 15 + `E` states and `P` = N(N + 1)/2
 /// numbers of covariance; `L` steps are remembered, `Q` measurements may wait.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Aided<
     M: Mechanization,
     const N: usize,
@@ -97,13 +98,18 @@ where
     ///
     /// # Errors
     ///
-    /// [`AidedFault::Settings`] or [`AidedFault::Lever`] for what is out of range.
+    /// [`AidedFault::Settings`], [`AidedFault::Lever`] or [`AidedFault::Horizon`] for what is out of range.
     pub fn new(
         mechanization: M,
         interval_s: Pair<R>,
         settings: Settings<R>,
     ) -> Result<Self, AidedFault> {
         let limits = settings.admit(N)?;
+        let horizon = R::count(settings.horizon_samples.unwrap_or(0)) * interval_s.hi;
+        // Measurements end steps early.
+        if horizon > settings.step_s * R::count(L as u32) * R::HALF {
+            return Err(AidedFault::Horizon);
+        }
         let (model, places) = settings.states.placed();
         Ok(Self { mechanization, interval: interval_s, settings, model, places, limits })
     }

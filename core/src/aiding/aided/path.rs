@@ -10,6 +10,7 @@ use crate::aiding::transport::past_correction;
 use crate::math::real::{Real, Scalar};
 
 /// The steps since a time.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Path<'a, R, const N: usize, const E: usize, const L: usize> {
     /// Those that are remembered.
     pub ring: &'a Ring<R, N, E, L>,
@@ -37,7 +38,7 @@ impl<R: Scalar, const N: usize, const E: usize, const L: usize> Path<'_, R, N, E
                 for (cell, factor) in row.iter_mut().skip(GYRO_BIAS).zip(factors.clone()) {
                     *cell = *cell / factor;
                 }
-                past_correction(row, innovation, &entry.errors);
+                *innovation = past_correction(row, *innovation, &entry.errors);
             }
         }
     }

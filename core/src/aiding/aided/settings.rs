@@ -121,7 +121,7 @@ pub struct Start<R> {
     pub velocity_m_s: R,
     /// Roll and pitch, rad.
     pub level_rad: R,
-    /// Heading, rad.
+    /// Heading, rad. Above 0.1 it is looked for: until it is found, positions and velocities are not refused.
     pub heading_rad: R,
 }
 

@@ -19,7 +19,7 @@ where
     fn drift_rows(&self, state: &AidedState<M, N, P, E, L, Q>) -> [[R; N]; 9] {
         let solution = self.solution(state);
         let pose = Pose::of(&solution);
-        let here = { state.reference }.follow(&solution.position).here;
+        let here = state.reference.locality(&solution.position).here;
         let mut rows = [[R::ZERO; N]; 9];
         for column in 0..9 {
             let unit = |first: usize| {

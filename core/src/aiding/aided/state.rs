@@ -43,6 +43,7 @@ impl<R: Real + PartialEq, const Q: usize> Taken<R, Q> {
 
 /// A running aided navigator.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AidedState<
     M: Mechanization,
     const N: usize,

@@ -33,8 +33,8 @@ where
     /// The filter carried on to the end of the last block.
     pub(super) fn ahead(&self, state: &AidedState<M, N, P, E, L, Q>) -> Ahead<R, N, P, E> {
         let solution = self.solution(state);
-        let mut reference = state.reference;
-        let Locality { here, .. } = reference.follow(&solution.position);
+        let reference = state.reference.followed(&solution.position);
+        let Locality { here, .. } = reference.locality(&solution.position);
         let gradient = here.gradient_b(&Pose::of(&solution));
         let transition = Transition::new(&state.stretch).with_gradient(&gradient);
         let mut filter = state.filter;

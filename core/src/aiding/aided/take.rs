@@ -2,7 +2,7 @@
 
 use super::expected::Expected;
 use super::instant::Instant;
-use super::measured::{Kind, Measured};
+use super::measured::{Kind, Measured, Sensor};
 use super::navigator::Aided;
 use super::path::{Path, judge};
 use super::settings::Lockout;
@@ -34,10 +34,16 @@ where
         measured: &Measured<R>,
         witness: &mut impl Witness<R, N, P, E>,
     ) {
+        if state.search.goes_on() && matches!(measured.kind, Kind::Speed | Kind::NonHolonomic) {
+            // Half a turn off, wheels do not slip sideways either.
+            state.tally_mut(measured.sensor()).note_aside();
+            state.taken.note(measured.at, measured.kind);
+            return;
+        }
         let ahead = (state.stretch.time_s > R::ZERO).then(|| self.ahead(state));
         let mut filter = ahead.as_ref().map_or(state.filter, |ahead| ahead.filter);
         let solution = self.solution(state);
-        let locality = { state.reference }.follow(&solution.position);
+        let locality = state.reference.locality(&solution.position);
         let late = self.places.latency.and_then(|state| filter.extras().get(state - FIRST_EXTRA));
         let late = late.copied().unwrap_or(R::ZERO) / self.interval.hi;
         let at = measured.at.shifted(-late);
@@ -55,12 +61,14 @@ where
             levers_b: [self.settings.lever_b, self.settings.odometer_lever_b],
         };
         let usual = self.limits.of(measured.kind);
+        // While the heading is looked for, what the receiver says is believed; others are refused if they do not fit.
         let searching = state.search.goes_on();
-        let limit = if searching { R::of(1e30) } else { usual };
+        let believed = searching && measured.sensor() == Sensor::Gnss;
+        let limit = if believed { R::of(1e30) } else { usual };
         let (judged, along) = consider(&mut filter, &path, &expected, measured, limit);
         let fits = judged.nis < usual;
         // What does not fit while the heading is looked for says that the heading is far off.
-        let turned = searching
+        let turned = believed
             && !fits
             && self.turn(state, &moment, &expected.innovations(measured), measured, witness);
         let accepted = turned
@@ -69,8 +77,8 @@ where
         let gate = Gate { limit, patience: self.settings.patience };
         let degrees = measured.degrees();
         let tally = state.tally_mut(measured.sensor());
-        let locked_out = if searching && !fits {
-            tally.note_again();
+        let locked_out = if believed && !fits {
+            tally.note_aside();
             false
         } else {
             tally.note(&gate, accepted, judged.nis, degrees)
@@ -80,7 +88,7 @@ where
         let Measured { at, kind, .. } = *measured;
         let nis = judged.nis;
         witness.judged(&Verdict { at, kind, age_s, nis, limit, accepted, locked_out });
-        if locked_out {
+        if locked_out && !searching {
             self.doubt(state, ahead.as_ref(), &along, witness);
         }
         if accepted && !turned {

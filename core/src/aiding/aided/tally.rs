@@ -18,8 +18,8 @@ pub struct Tally<R> {
     watch: Watch<R>,
     /// Components of the accepted vectors.
     degrees: u32,
-    /// Vectors that did not fit while the heading was looked for.
-    again: u32,
+    /// Vectors set aside while the heading was looked for.
+    aside: u32,
 }
 
 impl<R: Real> Tally<R> {
@@ -48,15 +48,15 @@ impl<R: Real> Tally<R> {
         self.degrees
     }
 
-    /// Vectors that did not fit while the heading was looked for, so that the filter started again. They are neither
-    /// accepted nor refused.
-    pub fn again(&self) -> u32 {
-        self.again
+    /// Vectors set aside while the heading was looked for: those that did not fit, so that the filter started again,
+    /// and those of wheels, which cannot tell a heading from its opposite. They are neither accepted nor refused.
+    pub fn set_aside(&self) -> u32 {
+        self.aside
     }
 
     /// Counts one of these.
-    pub(super) fn note_again(&mut self) {
-        self.again = self.again.saturating_add(1);
+    pub(super) fn note_aside(&mut self) {
+        self.aside = self.aside.saturating_add(1);
     }
 
     /// Counts one; the result says whether it completes a lockout.
@@ -88,7 +88,7 @@ pub struct Transport {
 }
 
 impl<R: Record> Record for Tally<R> {
-    record!(watch, degrees, again);
+    record!(watch, degrees, aside);
 }
 
 impl Record for Transport {

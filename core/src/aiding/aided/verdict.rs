@@ -43,6 +43,7 @@ pub struct Verdict<R> {
 
 /// A step of the filter, as a smoother needs it.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Step<'a, R, const N: usize, const P: usize, const E: usize> {
     /// Samples at its end.
     pub samples: u64,

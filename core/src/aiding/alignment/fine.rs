@@ -66,6 +66,7 @@ const PATIENCE: u32 = 10;
 
 /// An alignment by a mechanization: configuration.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fine<M: Mechanization, const N: usize, const P: usize, const E: usize> {
     pub(super) mechanization: M,
     pub(super) interval: Pair<M::Real>,
@@ -83,6 +84,7 @@ pub type Fine21<M> = Fine<M, 21, 231, 6>;
 
 /// A running alignment.
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FineState<M: Mechanization, const N: usize, const P: usize, const E: usize> {
     pub(super) navigator: M::State,
     pub(super) filter: Filter<M::Real, N, P, E>,

@@ -9,6 +9,7 @@
 //! ```
 
 use super::ud::Ud;
+use super::unrolled;
 use crate::math::real::Real;
 
 impl<R: Real, const N: usize, const P: usize> Ud<R, N, P> {
@@ -31,10 +32,10 @@ impl<R: Real, const N: usize, const P: usize> Ud<R, N, P> {
             // With D_j' = 0 there is nothing along a_j, and the rest of the term stays whole.
             q = R::select(some, q * *d * inverse, q);
             *d = grown;
-            for (u, rest) in above.iter_mut().zip(&mut along) {
+            unrolled::pairs(above, &mut along, |u, rest| {
                 *rest = *rest - a * *u;
                 *u = *u + gain * *rest;
-            }
+            });
         }
     }
 

@@ -9,6 +9,7 @@
 //! ```
 
 use super::ud::Ud;
+use super::unrolled;
 use crate::math::real::Real;
 
 /// What a scalar measurement says about the states.
@@ -31,18 +32,18 @@ impl<R: Real, const N: usize, const P: usize> Ud<R, N, P> {
         let mut alpha = variance;
         let mut inverse = R::ONE / variance;
         for ((j, (above, d)), own) in self.columns_mut().enumerate().zip(h) {
-            let f = above.iter().zip(h).fold(*own, |f, (u, h)| f + *u * *h);
+            let f = unrolled::sum(*own, above, h, |f, u, h| f + *u * *h);
             let g = *d * f;
             let back = -(f * inverse);
             let before = alpha;
             alpha = alpha + f * g;
             inverse = R::ONE / alpha;
             *d = *d * (before * inverse);
-            for (u, k) in above.iter_mut().zip(&mut along) {
+            unrolled::pairs(above, &mut along, |u, k| {
                 let old = *u;
                 *u = old + back * *k;
                 *k = *k + g * old;
-            }
+            });
             if let Some(k) = along.get_mut(j) {
                 *k = g;
             }

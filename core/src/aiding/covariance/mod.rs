@@ -11,6 +11,7 @@
 //! | [`congruence`] | a linear map of consecutive states |
 //! | [`agee_turner`] | a term of rank one added |
 //! | [`bierman`] | a scalar measurement |
+//! | `unrolled` | loops over parts of columns |
 //!
 //! Source: Bierman, *Factorization Methods for Discrete Sequential Estimation*, 1977, ch. V and VI;
 //! Thornton and Bierman, IEEE CDC 1977.
@@ -31,3 +32,4 @@ pub mod congruence;
 pub mod gram_schmidt;
 pub mod thornton;
 pub mod ud;
+mod unrolled;

@@ -144,11 +144,14 @@ impl<R: Real, const N: usize, const P: usize> Ud<R, N, P> {
         sum
     }
 
-    /// The other factors where the mask holds, lane by lane.
+    /// The earlier factors but where the mask holds, lane by lane.
     #[inline]
-    pub fn replace(&mut self, mask: R::Mask, other: &Self) {
-        for (mine, new) in self.packed.iter_mut().zip(&other.packed) {
-            *mine = R::select(mask, *new, *mine);
+    pub fn revert_unless(&mut self, mask: R::Mask, earlier: &Self) {
+        if !R::any(R::ZERO.less(R::select(mask, R::ZERO, R::ONE))) {
+            return;
+        }
+        for (mine, old) in self.packed.iter_mut().zip(&earlier.packed) {
+            *mine = R::select(mask, *mine, *old);
         }
     }
 

@@ -3,7 +3,7 @@
 //! | file | what it has |
 //! |---|---|
 //! | [`truth`] | the true motion that they measure |
-//! | [`line`] | when a sensor measures, when it does not, and how late its measurements arrive |
+//! | [`mod@line`] | when a sensor measures, when it does not, and how late its measurements arrive |
 //! | [`noise`] | white and correlated noise of a vector |
 //! | [`fault`] | outliers, and positions that somebody forges |
 //! | [`gnss`] | positions and velocities of a satellite receiver |

@@ -1,6 +1,6 @@
 /* The sensors of the golden scenes, as their TOML files have them, for C99 and C++17. Each triad has, in this order: constant,
  * turn_on, gauss_markov, correlation_s, white, random_walk, instability, scale_factor, misalignment, g_sensitivity, saturation,
- * quantization. */
+ * quantization, and what these sensors have none of: matrices, temperature, bandwidth, latency. */
 
 #ifndef SENSORS_H
 #define SENSORS_H
@@ -13,15 +13,16 @@
 #define MICRO_G 9.80665e-6
 #define GRAVITY 9.80665
 #define NONE { 0.0, 0.0, 0.0 }
+#define REST { NONE, NONE, NONE }, { NONE, NONE, NONE }, NONE, NONE, NONE, NONE, NONE
 #define ALL(x) { (x), (x), (x) }
 
 static const schuler_triad_f64 paper_gyros = {
     ALL(0.1 * PER_HOUR), NONE, ALL(0.1 * PER_HOUR), ALL(720.0), ALL(0.01 * (DEGREE / 60.0)), NONE, NONE, NONE, NONE, NONE, NONE,
-    NONE,
+    NONE, REST,
 };
 
 static const schuler_triad_f64 paper_accelerometers = {
-    NONE, NONE, ALL(100.0 * MICRO_G), ALL(720.0), NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE,
+    NONE, NONE, ALL(100.0 * MICRO_G), ALL(720.0), NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, REST,
 };
 
 static const schuler_triad_f64 turns_gyros = {
@@ -37,6 +38,7 @@ static const schuler_triad_f64 turns_gyros = {
     ALL(0.1 * (PER_HOUR / GRAVITY)),
     { 280.0 * DEGREE, 60.0 * DEGREE, 60.0 * DEGREE },
     ALL(0.2 * ARCSECOND),
+    REST,
 };
 
 static const schuler_triad_f64 turns_accelerometers = {
@@ -52,6 +54,7 @@ static const schuler_triad_f64 turns_accelerometers = {
     NONE,
     { 9.0 * GRAVITY, 9.0 * GRAVITY, 5.0 * GRAVITY },
     ALL(1e-4),
+    REST,
 };
 
 #endif

@@ -16,7 +16,8 @@ const say = (value, digits = 5) => {
 const tick = (value, step) => {
   if (value === 0) return "0";
   let decimals = 0;
-  while (decimals < 9 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
+  const isWhole = x => Math.round(x) !== 0 && Math.abs(x - Math.round(x)) < 1e-6 * Math.abs(x);
+  while (decimals < 9 && !isWhole(step * 10 ** decimals)) decimals++;
   if (decimals > 6 || Math.abs(value) >= 1e7) return say(value, 4);
   return minus(value.toFixed(decimals));
 };

@@ -70,8 +70,9 @@ Object.assign(Plot.prototype, {
     const pixels = length / (max - min) * width;
     // On the left, unless a name stands there.
     const marks = this.spec.layers.filter(layer => layer.kind === "marks");
-    const isTaken = marks.some(({ x, high }) => Array.from(x).some((at, i) =>
-      this.at("x", at, isCanvas) < left + 0.6 * width && this.at("y", high[i], isCanvas) > top + 0.8 * height));
+    const stands = inside => marks.some(({ x, high }) => Array.from(x).some((at, i) =>
+      inside((this.at("x", at, isCanvas) - left) / width, (this.at("y", high[i], isCanvas) - top) / height)));
+    const isTaken = stands((right, down) => right < 0.6 && down > 0.8);
     const [x, y] = [isTaken ? left + width - pixels - 10 * scale : left + 10 * scale, top + height - 10 * scale];
     pen.strokeStyle = pen.fillStyle = colour("text");
     pen.lineWidth = 1.5 * scale;
@@ -81,7 +82,8 @@ Object.assign(Plot.prototype, {
     pen.moveTo(x, y - 4 * scale); pen.lineTo(x, y); pen.lineTo(x + pixels, y); pen.lineTo(x + pixels, y - 4 * scale);
     pen.stroke();
     pen.fillText(`${say(length)} ${this.spec.x.unit}`, x + 4 * scale, y - 5 * scale);
-    const [nx, ny] = [left + width - 12 * scale, top + 28 * scale];
+    const isUpTaken = stands((right, down) => right > 0.5 && down < 0.2);
+    const [nx, ny] = [isUpTaken ? left + 12 * scale : left + width - 12 * scale, top + 28 * scale];
     pen.beginPath();
     pen.moveTo(nx, ny); pen.lineTo(nx, ny - 14 * scale);
     pen.moveTo(nx - 4 * scale, ny - 8 * scale); pen.lineTo(nx, ny - 15 * scale); pen.lineTo(nx + 4 * scale, ny - 8 * scale);

@@ -52,6 +52,28 @@ Object.assign(Plot.prototype, {
     addEventListener("mouseup", up);
   },
 
+  // Two fingers: what was between them stays between them.
+  pinch(u) {
+    let start = null;
+    const seen = event => {
+      const [a, b] = event.touches, { left, width } = u.over.getBoundingClientRect();
+      return [a, b].map(touch => (touch.clientX - left) / width);
+    };
+    u.over.addEventListener("touchstart", event => {
+      start = event.touches.length === 2 ? { at: seen(event), x: { ...u.scales.x } } : null;
+    }, { passive: true });
+    u.over.addEventListener("touchmove", event => {
+      if (!start || event.touches.length !== 2) return;
+      event.preventDefault();
+      const log = this.spec.x.log, [from, to] = [start.x.min, start.x.max].map(end => log ? Math.log(end) : end);
+      const [a, b] = start.at.map(part => from + part * (to - from)), [p, q] = seen(event);
+      if (Math.abs(p - q) < 0.02) return;
+      const width = (b - a) / (q - p), low = a - p * width;
+      const range = [low, low + width].map(end => log ? Math.exp(end) : end);
+      if (width > 0) this.show(range);
+    }, { passive: false });
+  },
+
   key(event) {
     const act = {
       "+": () => this.zoom(0.8), "-": () => this.zoom(1.25), "0": () => this.reset(),

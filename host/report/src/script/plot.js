@@ -127,6 +127,7 @@ class Plot {
       this.zoom(event.deltaY > 0 ? 1.25 : 0.8, event.offsetX / this.u.over.clientWidth);
     }, { passive: false });
     if (spec.map) this.u.over.addEventListener("dblclick", () => this.reset());
+    if (!spec.map) this.pinch(this.u);
     this.place.addEventListener("keydown", event => this.key(event));
     new ResizeObserver(() => {
       const size = this.size();

@@ -1,6 +1,6 @@
 //! `allan.csv`: every point with its interval and what is configured.
 
-use super::{Axis, table};
+use super::Axis;
 use schuler_simulator::allan::still::AXES;
 use schuler_simulator::number::exact;
 use schuler_simulator::output::csv;
@@ -13,20 +13,10 @@ pub fn bytes(axes: &[Option<Axis>; 6]) -> Vec<u8> {
     let rows = axes.iter().zip(AXES).filter_map(|(axis, name)| Some((axis.as_ref()?, name)));
     let rows = rows.flat_map(|(axis, name)| {
         axis.points.iter().enumerate().map(move |(i, point)| {
-            let fit = &axis.identified.fit;
-            let [lower, upper] = table::bounds(fit.freedom.get(i).copied().unwrap_or(1.0));
-            let deviation = point.deviation();
-            let configured = axis.expected(point.tau_s).sqrt();
-            [
-                name.to_owned(),
-                exact(point.tau_s),
-                point.differences.to_string(),
-                exact(deviation),
-                exact(deviation * lower),
-                exact(deviation * upper),
-                exact(fit.expected.get(i).copied().unwrap_or(0.0).sqrt()),
-                exact(configured),
-            ]
+            let [deviation, lower, upper, fitted, configured] = axis.beside(i, point).map(exact);
+            let differences = point.differences.to_string();
+            let name = name.to_owned();
+            [name, exact(point.tau_s), differences, deviation, lower, upper, fitted, configured]
         })
     });
     csv(COLUMNS, rows)

@@ -71,6 +71,16 @@ impl Axis {
         self.configured.iter().map(|(shape, square)| square * shape.variance(tau_s)).sum()
     }
 
+    /// The deviation of a point, its 95 % interval, what is fitted and what is configured there.
+    pub fn beside(&self, place: usize, point: &Point<f64>) -> [f64; 5] {
+        let fit = &self.identified.fit;
+        let [lower, upper] = table::bounds(fit.freedom.get(place).copied().unwrap_or(1.0));
+        let deviation = point.deviation();
+        let fitted = fit.expected.get(place).copied().unwrap_or(0.0).sqrt();
+        let configured = self.expected(point.tau_s).sqrt();
+        [deviation, deviation * lower, deviation * upper, fitted, configured]
+    }
+
     /// Every verdict.
     pub fn verdicts(&self) -> impl Iterator<Item = Verdict> {
         let whole = self.whole.as_ref().map(whole_verdict);
@@ -94,40 +104,71 @@ pub fn allan(args: &AllanArgs) -> Result<(), FlightError> {
         Ok([csv?, page?, toml?])
     });
     let files = files.transpose()?;
-    let axes: [Option<Axis>; 6] = std::array::from_fn(|i| {
-        let errors = scene.as_ref().map(|s| if i < 3 { &s.gyro } else { &s.accelerometer });
-        let terms = errors.map(|errors| configured(errors, i % 3, record.timing));
-        // A perfect sensor leaves rounding alone.
-        let perfect = args.imu.is_none() && terms.as_ref().is_some_and(Vec::is_empty);
-        if perfect {
-            None
-        } else {
-            Axis::new(&record.axes[i], record.timing, terms.unwrap_or_default())
-        }
-    });
-    if axes.iter().all(Option::is_none) {
-        let name = args.scene.clone().unwrap_or_default();
-        let complaint = Complaint::new(
-            "no sensor has an error that an Allan deviation shows",
-            "random walk, flicker, Gauss-Markov or quantization in [gyro] or [accelerometer]",
-        );
-        return Err(InputError::option(&name, complaint).into());
-    }
-    let sections = sections(&title, &axes);
-    let mut text = table::text(&title, &record, &axes);
-    text += &format!("\n{sections}");
+    let findings = Findings::new(title, record, scene.as_ref(), args.imu.is_some())?;
+    let mut text = findings.text.clone();
     if let (Some([mut csv, mut page, mut toml]), Some(folder)) = (files, &args.out) {
-        csv.put(csv::bytes(&axes))?;
-        page.put(page::page(&title, &text, &axes))?;
-        toml.put(&sections)?;
+        csv.put(csv::bytes(&findings.axes))?;
+        page.put(findings.page())?;
+        toml.put(&findings.sections)?;
         output::place(vec![csv, page, toml], &[])?;
         text += &format!("\nwritten to {}\n", folder.display());
     }
     say(&text)?;
-    let verdicts: Vec<_> = axes.iter().flatten().flat_map(Axis::verdicts).collect();
+    let verdicts: Vec<_> = findings.axes.iter().flatten().flat_map(Axis::verdicts).collect();
     match verdicts.iter().filter(|verdict| **verdict == Verdict::Differs).count() {
         0 => Ok(()),
         failed => Err(FlightError::Failed { failed, checks: verdicts.len() }),
+    }
+}
+
+/// All that is found out.
+#[derive(Clone, Debug)]
+pub struct Findings {
+    /// What was measured, by its name.
+    pub title: String,
+    /// Gyros x, y, z, then accelerometers; none of an axis that shows nothing.
+    pub axes: [Option<Axis>; 6],
+    /// The sections of a scene that stand for it.
+    pub sections: String,
+    /// What is said of it.
+    pub text: String,
+}
+
+impl Findings {
+    /// Of a record, and of the scene that it is compared with; whether it is a recording or the scene's own.
+    pub fn new(
+        title: String,
+        record: Record,
+        scene: Option<&Scene>,
+        is_recorded: bool,
+    ) -> Result<Self, FlightError> {
+        let axes: [Option<Axis>; 6] = std::array::from_fn(|i| {
+            let errors = scene.map(|s| if i < 3 { &s.gyro } else { &s.accelerometer });
+            let terms = errors.map(|errors| configured(errors, i % 3, record.timing));
+            // A perfect sensor leaves rounding alone.
+            let perfect = !is_recorded && terms.as_ref().is_some_and(Vec::is_empty);
+            if perfect {
+                None
+            } else {
+                Axis::new(&record.axes[i], record.timing, terms.unwrap_or_default())
+            }
+        });
+        if axes.iter().all(Option::is_none) {
+            let complaint = Complaint::new(
+                "no sensor has an error that an Allan deviation shows",
+                "random walk, flicker, Gauss-Markov or quantization in [gyro] or [accelerometer]",
+            );
+            return Err(InputError::option(&title, complaint).into());
+        }
+        let sections = sections(&title, &axes);
+        let mut text = table::text(&title, &record, &axes);
+        text += &format!("\n{sections}");
+        Ok(Self { title, axes, sections, text })
+    }
+
+    /// The page.
+    pub fn page(&self) -> String {
+        page::page(&self.title, &self.text, &self.axes)
     }
 }
 

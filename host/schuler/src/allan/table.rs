@@ -6,6 +6,7 @@ use schuler_simulator::allan::fit::Found;
 use schuler_simulator::allan::record::Record;
 use schuler_simulator::allan::section::{Name, name};
 use schuler_simulator::allan::shape::Shape;
+use schuler_simulator::allan::verdict::Verdict;
 use schuler_simulator::number::parameter;
 use schuler_simulator::units::{DEGREE_PER_HOUR, MICRO_G};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
@@ -80,7 +81,7 @@ fn deviations(text: &mut String, triad: usize, three: &[Option<Axis>], first: &A
     for (axis, letter) in three.iter().zip(LETTERS) {
         head += &format!(" {:>9}", if axis.is_some() { letter } else { "—" });
     }
-    head += &format!(" {:>13}", "95 %");
+    head += &format!(" {:>12}", "95 %");
     let terms: Vec<_> = first.configured.iter().take(2).collect();
     if !first.configured.is_empty() {
         head += &format!(" {:>9}", "expected");
@@ -100,7 +101,7 @@ fn deviations(text: &mut String, triad: usize, three: &[Option<Axis>], first: &A
             let percent = 100.0 * (bound - 1.0);
             if percent.abs() < 9.95 { format!("{percent:+.1}") } else { format!("{percent:+.0}") }
         };
-        line += &format!(" {:>13}", format!("{} {} %", off(lower), off(upper)));
+        line += &format!(" {:>12}", format!("{} {} %", off(lower), off(upper)));
         if !first.configured.is_empty() {
             line += &format!(" {:>9}", four(first.expected(point.tau_s).sqrt() / unit));
             for (shape, square) in &terms {
@@ -135,41 +136,61 @@ fn told(found: &Found, name: &Name) -> [String; 2] {
     [shown(found.magnitude()), format!("[{from}, {to}]")]
 }
 
+/// A term's name on its own triad: what is "angle, velocity random walk" is one of the two there.
+fn own(name: &str, triad: usize) -> String {
+    match name.split_once(", ").zip(name.strip_suffix(" random walk")) {
+        Some(((gyro, _), both)) => {
+            let accelerometer = both.rsplit(", ").next().unwrap_or(both);
+            format!("{} random walk", if triad == 0 { gyro } else { accelerometer })
+        }
+        None => name.to_owned(),
+    }
+}
+
+/// A verdict in a narrow column.
+fn brief(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::NotIdentifiable => "not seen",
+        told => told.words(),
+    }
+}
+
 fn configured(text: &mut String, triad: usize, three: &[Option<Axis>]) {
     if three.iter().flatten().all(|axis| axis.compared.is_empty()) {
         return;
     }
     put!(text, "\n{}: configured terms", TRIADS[triad]);
-    put!(text, "  {:34} {:>9} {:>9}  {:21} verdict", "", "configured", "found", "95 %");
+    put!(text, "{:33} {:>8} {:>8} {:18} verdict", "", "set", "found", "95 %");
     for (axis, letter) in three.iter().zip(LETTERS).filter_map(|(a, l)| Some((a.as_ref()?, l))) {
         for compared in &axis.compared {
             let name = name(compared.shape, triad);
             let [found, interval] = told(&compared.found, &name);
             let configured = four(compared.configured * name.factor / name.unit);
-            let what = format!("{letter}  {}, {}", name.name, name.symbol);
-            put!(
-                text,
-                "  {what:34} {configured:>9} {found:>9}  {interval:21} {}",
-                compared.verdict.words()
-            );
+            let what = format!("{letter} {}, {}", own(name.name, triad), name.symbol);
+            let verdict = brief(compared.verdict);
+            put!(text, "{what:33} {configured:>8} {found:>8} {interval:18} {verdict}");
         }
         if let Some(time) = axis.time {
-            let what = format!("{letter}  correlation time, s");
+            let what = format!("{letter} correlation time, s");
             let [from, to] = time.interval_s.map(four);
             let interval = format!("[{from}, {to}]");
             put!(
                 text,
-                "  {what:34} {:>9} {:>9}  {interval:21} {}",
+                "{what:33} {:>8} {:>8} {interval:18} {}",
                 four(time.configured_s),
                 four(time.found_s),
-                time.verdict.words()
+                brief(time.verdict)
             );
         }
         if let Some(whole) = &axis.whole {
-            let what = format!("{letter}  all of them");
+            let what = format!("{letter} all of them");
             let chi = format!("χ² {} of {}", four(whole.chi_square), whole.left);
-            put!(text, "  {what:34} {:19}  {chi:21} {}", "", whole_verdict(whole).words());
+            put!(text, "{what:33} {:17} {chi:18} {}", "", brief(whole_verdict(whole)));
         }
+    }
+    let verdicts = three.iter().flatten().flat_map(Axis::verdicts);
+    if verdicts.into_iter().any(|verdict| verdict == Verdict::NotIdentifiable) {
+        put!(text, "not seen: not identifiable in this span");
     }
 }
 
@@ -184,24 +205,20 @@ fn identified(text: &mut String, triad: usize, three: &[Option<Axis>]) {
                 Shape::GaussMarkov(correlation_s) => format!(" T {} s", four(correlation_s)),
                 _ => String::new(),
             };
-            let what = format!("{letter}  {}, {}{time}", name.name, name.symbol);
-            put!(text, "  {what:44} {value:>9}  {interval}");
+            let what = format!("{letter} {}, {}{time}", own(name.name, triad), name.symbol);
+            put!(text, "{what:38} {value:>9}  {interval}");
         }
         for found in &identified.hidden {
             let name = name(found.shape, triad);
             let most = four(found.interval()[1] * name.factor / name.unit);
-            let what = format!("{letter}  {}, {}", name.name, name.symbol);
-            put!(text, "  {what:44} {:>9}  not identifiable in this span", format!("< {most}"));
+            let what = format!("{letter} {}, {}", own(name.name, triad), name.symbol);
+            put!(text, "{what:38} {:>9}  not identifiable in this span", format!("< {most}"));
         }
         let fit = &identified.fit;
         let (chi, left) = (four(fit.chi_square), fit.left);
         let doubt =
             if fit.probability() < super::UNLIKELY { ": no such terms make it" } else { "" };
-        put!(
-            text,
-            "  {:44} {:>9}  χ² {chi} of {left}{doubt}",
-            format!("{letter}  what they leave"),
-            ""
-        );
+        let what = format!("{letter} what they leave");
+        put!(text, "{what:38} χ² {chi} of {left}{doubt}");
     }
 }

@@ -112,7 +112,8 @@ pub enum Times {
 const MOST_TIMES: u64 = 1000;
 
 impl Times {
-    fn parse(text: &str) -> Result<Self, Complaint> {
+    /// From its text.
+    pub fn parse(text: &str) -> Result<Self, Complaint> {
         const ACCEPTED: &str =
             "a number of times from 1 to 1000, such as 16, or times in seconds, such as 60s,600s";
         let times = match text.parse() {
@@ -145,6 +146,12 @@ impl EnsembleArgs {
     pub fn scene(&self) -> Result<Scene, InputError> {
         let handling = Handling { vertical: self.vertical, gap: None };
         let scene = super::load(self.scene.as_deref(), &self.flight, &self.navigator, &handling)?;
+        self.check(&scene)?;
+        Ok(scene)
+    }
+
+    /// Whether shards and times fit the scene.
+    pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         if let Some(Shard([_, shards])) = self.shard.filter(|Shard([_, n])| *n > self.runs) {
             let what = format!("of {} runs there are no {shards} shards", self.runs);
             let accepted = format!("K/N with N up to {}", self.runs);
@@ -157,7 +164,7 @@ impl EnsembleArgs {
             let accepted = format!("times up to {} s", scene.duration_s);
             return Err(InputError::option("--at", Complaint::new(what, accepted)));
         }
-        Ok(scene)
+        Ok(())
     }
 
     /// The command that flies the whole, an argument each: all that decides on the runs, and nothing else.
@@ -210,7 +217,8 @@ fn batch(text: &str) -> Result<u64, Complaint> {
     batch.ok_or_else(|| Complaint::new("is not a number of runs", ACCEPTED))
 }
 
-fn threads(text: &str) -> Result<usize, Complaint> {
+/// How many threads to fly on.
+pub fn threads(text: &str) -> Result<usize, Complaint> {
     const ACCEPTED: &str = "an integer from 1 to 1024";
     let threads = text.parse().ok().filter(|threads| (1..=1024).contains(threads));
     threads.ok_or_else(|| Complaint::new("is not a number of threads", ACCEPTED))

@@ -19,9 +19,9 @@ pub use align::{AlignArgs, Method};
 pub use allan::{AllanArgs, DatasheetArgs, Span};
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};
 pub use emulate::EmulateArgs;
-pub use ensemble::{EnsembleArgs, EnsembleCommand, MergeArgs, Shard, Times};
+pub use ensemble::{EnsembleArgs, EnsembleCommand, MergeArgs, Shard, Times, threads};
 pub use hil::HilArgs;
-pub use options::{FlightOptions, Handling, NavigatorOptions, Window};
+pub use options::{FlightOptions, Handling, NavigatorOptions, Window, runs};
 pub use replay::{Height, Lag, ReplayArgs};
 pub use scenes::{ScenesArgs, TrajectoryArgs};
 

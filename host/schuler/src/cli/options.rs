@@ -156,7 +156,8 @@ pub(super) fn whole<T: FromStr + PartialOrd + fmt::Display>(
 /// Runs of an ensemble: enough for a spread, and few enough for what is kept of them to stay in memory.
 const RUNS: RangeInclusive<u64> = 4..=10_000_000;
 
-pub(super) fn runs(text: &str) -> Result<u64, Complaint> {
+/// How many runs to fly.
+pub fn runs(text: &str) -> Result<u64, Complaint> {
     let accepted = format!("an integer from {} to {}", RUNS.start(), RUNS.end());
     let runs = text.parse().ok().filter(|runs| RUNS.contains(runs));
     runs.ok_or_else(|| Complaint::new("is not a number of runs", accepted))

@@ -28,7 +28,7 @@ pub fn ensemble(
     folder: &Path,
 ) -> Result<(), FlightError> {
     refuse(args)?;
-    let mut file = OutputFile::create(&folder.join("aided.csv"))?;
+    let mut file = OutputFile::create(folder.join("aided.csv"))?;
     let progress = Progress::new(args.runs);
     let one = |run| runs::fly(scene, source, run, stops);
     let flown = parallel::all(args.runs, &one, &|done| progress.reach(done));

@@ -23,7 +23,7 @@ pub fn check(scene: &Scene) -> Result<(), InputError> {
         return refuse("link", what, "loss = 0 and jitter_s = 0");
     }
     let sensors = is_random(&scene.gyro) || is_random(&scene.accelerometer);
-    if !sensors && !scene.initial_error.is_random() {
+    if !sensors && !scene.initial_error.is_random() && !scene.aiding.is_there() {
         let what = format!("{} has no random errors, so every run would be the same", scene.name);
         return refuse("scene", &what, RANDOM);
     }

@@ -4,8 +4,9 @@ use super::files::Files;
 use super::findings::Findings;
 use super::sentences::sentences;
 use super::summary::Outcome;
-use super::{figures, table};
+use super::{figures, summary, table};
 use crate::cli::EnsembleArgs;
+use crate::report::files::tell_replaced_by;
 use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::ensemble::kept::Kept;
@@ -34,9 +35,13 @@ pub struct Conclusion<'a> {
 }
 
 impl Conclusion<'_> {
-    /// The files, not yet in their places.
+    /// The files, not yet in their places; says whose they will replace.
     pub fn files(&self) -> Result<Files, InputError> {
-        Files::create(&self.folder, self.keep)
+        let files = Files::create(&self.folder, self.keep)?;
+        let program = std::iter::once("schuler".to_owned());
+        let command: Vec<_> = program.chain(command(self.whole, self.keep, self.budget)).collect();
+        tell_replaced_by(&self.folder, summary::NAME, &command);
+        Ok(files)
     }
 
     /// Finds out what there is to be found out, writes it, prints it with a `note` of how it was flown, and takes
@@ -49,16 +54,10 @@ impl Conclusion<'_> {
         served: &[PathBuf],
     ) -> Result<(), FlightError> {
         let Self { ground, whole, means, keep, budget, folder } = self;
+        let command = command(whole, keep, budget);
         let (scene, runs) = (ground.scene, kept.runs.end);
         let findings = Findings::new(ground, &kept, budget, means)?;
         let sentences = sentences(&findings);
-        let mut command = whole.whole();
-        if keep {
-            command.push("--keep".to_owned());
-        }
-        if let Some(budget) = budget {
-            command.extend(["--budget".to_owned(), budget.to_string()]);
-        }
         let failed = kept.flown.failed.len();
         let outcome = Outcome {
             scene,
@@ -72,34 +71,7 @@ impl Conclusion<'_> {
         let time_s = |sample: u64| ground.source.time_s(sample);
         files.finish(&outcome, &kept, time_s)?;
         served.iter().try_for_each(|part| GrowingFile::remove(part))?;
-        let mut text = table::table(&findings.comparisons, findings.ended);
-        text += &figures::together(&findings);
-        for sentence in &sentences {
-            text += sentence;
-            text.push('\n');
-        }
-        if let Some((time_s, outside)) = findings.outside {
-            let time_s = parameter(time_s);
-            text +=
-                &format!("not comparable at {time_s} s: the linear model ends where {outside}\n");
-        }
-        if findings.left_out > 0 {
-            let (precision, all) = (scene.navigator.precision.name(), findings.comparisons.len());
-            let left_out = findings.left_out;
-            text += &format!(
-                "not compared: {left_out} of {all}, where rounding in {precision} is above a third of the mean's \
-                 standard error\n"
-            );
-        }
-        text += &table::failures(&kept.flown.failed, scene.seed, runs, time_s);
-        if kept.flown.saturated > 0 {
-            let samples = kept.flown.saturated;
-            text += &format!(
-                "a sensor was at its limit in {samples} samples, which theory leaves out\n"
-            );
-        }
-        text += &figures::accuracy(&findings);
-        text += &figures::budget(&findings);
+        let mut text = text(ground, &kept, &findings, &sentences);
         text += &note;
         text += &format!("written to {}\n", folder.display());
         say(&text)?;
@@ -110,6 +82,51 @@ impl Conclusion<'_> {
             failed => Err(FlightError::Failed { failed, checks: verdict.tests + together.tests }),
         }
     }
+}
+
+/// The command of the whole, with what was done beside flying it: an argument each, after the program's name.
+pub fn command(whole: &EnsembleArgs, keep: bool, budget: Option<u64>) -> Vec<String> {
+    let mut command = whole.whole();
+    if keep {
+        command.push("--keep".to_owned());
+    }
+    if let Some(budget) = budget {
+        command.extend(["--budget".to_owned(), budget.to_string()]);
+    }
+    command
+}
+
+/// What is said of it: tables, sentences, and what was left out.
+pub fn text(ground: &Ground, kept: &Kept, findings: &Findings, sentences: &[String]) -> String {
+    let (scene, runs) = (ground.scene, kept.runs.end);
+    let time_s = |sample: u64| ground.source.time_s(sample);
+    let mut text = table::table(&findings.comparisons, findings.ended);
+    text += &figures::together(findings);
+    for sentence in sentences {
+        text += sentence;
+        text.push('\n');
+    }
+    if let Some((time_s, outside)) = findings.outside {
+        let time_s = parameter(time_s);
+        text += &format!("not comparable at {time_s} s: the linear model ends where {outside}\n");
+    }
+    if findings.left_out > 0 {
+        let (precision, all) = (scene.navigator.precision.name(), findings.comparisons.len());
+        let left_out = findings.left_out;
+        text += &format!(
+            "not compared: {left_out} of {all}, where rounding in {precision} is above a third of the mean's \
+             standard error\n"
+        );
+    }
+    text += &table::failures(&kept.flown.failed, scene.seed, runs, time_s);
+    if kept.flown.saturated > 0 {
+        let samples = kept.flown.saturated;
+        text +=
+            &format!("a sensor was at its limit in {samples} samples, which theory leaves out\n");
+    }
+    text += &figures::accuracy(findings);
+    text += &figures::budget(findings);
+    text
 }
 
 /// Threads for so many runs: those that are asked for, or as many as there are processors.

@@ -1,7 +1,7 @@
 //! The tables of an ensemble. Numbers round-trip; what is not known is empty.
 
 use super::accuracy::Figure;
-use super::findings::{Findings, group_name};
+use super::findings::{At, Findings, group_name};
 use schuler_simulator::flight::Nine;
 use schuler_simulator::number::exact;
 use schuler_simulator::output;
@@ -34,6 +34,25 @@ pub const COLUMNS: [&str; 19] = [
     "p97_5",
     "greatest",
     "greatest_run",
+];
+
+/// The columns of `accuracy.csv`.
+pub const ACCURACY: [&str; 15] = [
+    "time_s",
+    "cep50_m",
+    "cep50_low_m",
+    "cep50_high_m",
+    "cep50_theory_m",
+    "cep95_m",
+    "cep95_low_m",
+    "cep95_high_m",
+    "cep95_theory_m",
+    "vertical95_m",
+    "vertical95_low_m",
+    "vertical95_high_m",
+    "vertical95_theory_m",
+    "cep50_nmi_h",
+    "cep50_theory_nmi_h",
 ];
 
 /// All tables, in the order of [`NAMES`].
@@ -104,36 +123,20 @@ fn covariance(findings: &Findings) -> Vec<u8> {
 }
 
 fn accuracy(findings: &Findings) -> Vec<u8> {
-    const COLUMNS: [&str; 15] = [
-        "time_s",
-        "cep50_m",
-        "cep50_low_m",
-        "cep50_high_m",
-        "cep50_theory_m",
-        "cep95_m",
-        "cep95_low_m",
-        "cep95_high_m",
-        "cep95_theory_m",
-        "vertical95_m",
-        "vertical95_low_m",
-        "vertical95_high_m",
-        "vertical95_theory_m",
-        "cep50_nmi_h",
-        "cep50_theory_nmi_h",
-    ];
+    output::csv(ACCURACY, findings.instants.iter().map(|at| accuracy_of(at).map(told)))
+}
+
+/// A row of `accuracy.csv`; not numbers where nothing is known.
+pub fn accuracy_of(at: &At) -> [f64; 15] {
+    let it = &at.accuracy;
     let figure = |figure: &Figure| {
-        let [low, high] =
-            figure.runs.interval.map_or(["", ""].map(str::to_owned), |i| i.map(exact));
-        [exact(figure.runs.value), low, high, told(figure.theory)]
+        let [low, high] = figure.runs.interval.unwrap_or([f64::NAN; 2]);
+        [figure.runs.value, low, high, figure.theory]
     };
-    let rows = findings.instants.iter().map(|at| {
-        let it = &at.accuracy;
-        let figures = [&it.cep50, &it.cep95, &it.vertical95].map(figure);
-        let [[a, b, c, d], [e, f, g, h], [i, j, k, l]] = figures;
-        let [rate, rate_theory] = [it.cep50.runs.value, it.cep50.theory].map(|m| told(it.nmi_h(m)));
-        [exact(it.time_s), a, b, c, d, e, f, g, h, i, j, k, l, rate, rate_theory]
-    });
-    output::csv(COLUMNS, rows)
+    let [[a, b, c, d], [e, f, g, h], [i, j, k, l]] =
+        [&it.cep50, &it.cep95, &it.vertical95].map(figure);
+    let [rate, rate_theory] = [it.cep50.runs.value, it.cep50.theory].map(|m| it.nmi_h(m));
+    [it.time_s, a, b, c, d, e, f, g, h, i, j, k, l, rate, rate_theory]
 }
 
 fn consistency(findings: &Findings) -> Vec<u8> {

@@ -112,7 +112,7 @@ fn folder(out: Option<&Path>, scene: &Scene) -> PathBuf {
 }
 
 /// How many samples are taken at each reading.
-fn stops(ground: &Ground, times: &Times) -> Vec<u64> {
+pub fn stops(ground: &Ground, times: &Times) -> Vec<u64> {
     match times {
         Times::Equal(count) => instants::equal(ground, *count),
         Times::Seconds(times_s) => instants::at(ground, times_s),

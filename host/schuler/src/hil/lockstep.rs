@@ -10,17 +10,14 @@ use super::reply::Reply;
 use super::tally::Tally;
 use crate::report::lockstep::Event;
 use schuler::link::bytes::Bytes;
-use schuler::link::gap::MOST_BRIDGED;
-use schuler::link::gap::Policy;
-use schuler::link::message::Request;
-use schuler::link::refusal::Refusal;
+use schuler::link::gap::{MOST_BRIDGED, Policy};
+use schuler::link::{message::Request, refusal::Refusal};
 use schuler::sample::Increment;
 use schuler_simulator::input::Complaint;
 use schuler_simulator::navigator::{Navigate, Reader};
 use schuler_simulator::scene::WindowShape;
 use schuler_simulator::simulate::{Refused, Vehicle};
-use schuler_simulator::twin::Standing;
-use schuler_simulator::twin::{Beginning, Twin};
+use schuler_simulator::twin::{Beginning, Standing, Twin};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// What is left of a lockstep flight when it has ended, well or not.
@@ -246,11 +243,10 @@ impl Lockstep {
 
     /// An end that is not the scene's: where it happened, and what.
     fn stop(&self, parted: &Parted) -> Refused {
+        let time_s = f64::from(self.samples) / self.rate_hz;
         let place = match parted {
             Parted::Difference(_) => String::new(),
-            _ => {
-                format!("sample {} at {} s: ", self.samples, f64::from(self.samples) / self.rate_hz)
-            }
+            _ => format!("sample {} at {time_s} s: ", self.samples),
         };
         let why = format!("{place}{parted}");
         self.ended(|ended| ended.parted = Some(why.clone()));

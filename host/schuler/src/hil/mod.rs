@@ -115,7 +115,7 @@ fn fly_to_files(
             let ended = flight.ended.as_ref().map(|ended| ended.reason.clone());
             let end_s = flight.last.time_s;
             let lockstep =
-                report::Lockstep::new(parted.or(ended), &flight.digest, latency, &events, end_s);
+                report::Lockstep::new([parted, ended], &flight.digest, latency, &events, end_s);
             files.finish(&flight, Vec::new(), Some(lockstep))?;
             Ok((flight, end))
         }

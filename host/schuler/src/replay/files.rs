@@ -10,7 +10,7 @@ use crate::report::sensors::Sensors;
 use crate::report::traces::Traces;
 use schuler_simulator::flight::{Instant, Nine};
 use schuler_simulator::input::InputError;
-use schuler_simulator::output::{self, NumberTable, OutputFile};
+use schuler_simulator::output::{NumberTable, OutputFile};
 
 /// The report being written, apart from its table of drift.
 pub struct ReportFiles {
@@ -19,15 +19,12 @@ pub struct ReportFiles {
     page: OutputFile,
     summary: OutputFile,
     has: Has,
-    /// What the page shows of every row, over the time since a start, s.
-    traces: Traces,
-    start_s: f64,
 }
 
 impl ReportFiles {
     /// To be in their places; none where no report is wanted. What cannot be written is found here,
     /// before the flight.
-    pub fn create(places: &Places, has: Has, start_s: f64) -> Result<Option<Self>, InputError> {
+    pub fn create(places: &Places, has: Has) -> Result<Option<Self>, InputError> {
         let Some(folder) = &places.report else { return Ok(None) };
         let [drift, picture, page, summary] = REPORT.map(|name| folder.join(name));
         let names = has.numbers().map(|i| Nine::NAMES[i]);
@@ -38,14 +35,11 @@ impl ReportFiles {
             page: OutputFile::create(page)?,
             summary: OutputFile::create(summary)?,
             has,
-            traces: Traces::default(),
-            start_s,
         }))
     }
 
     /// A row of `drift.csv`: a time, and the errors that are known.
     pub fn row(&mut self, instant: &Instant) -> Result<(), InputError> {
-        self.traces.row(&Instant { time_s: instant.time_s - self.start_s, ..*instant });
         let numbers = instant.drift.numbers();
         let known = self.has.numbers().map(|i| numbers[i]);
         let row: Vec<f64> = [instant.time_s].into_iter().chain(known).collect();
@@ -58,18 +52,13 @@ impl ReportFiles {
         flight: &Flight,
         comparison: &Comparison,
         about: &About,
-        sensors: &Sensors,
+        shown: (&Traces, &Sensors),
     ) -> Result<Vec<OutputFile>, InputError> {
-        let Self { drift, mut picture, mut page, mut summary, traces, .. } = self;
+        let Self { drift, mut picture, mut page, mut summary, .. } = self;
         let png = drawn(&picture, page::png(flight, comparison, about))?;
         picture.put(png)?;
-        page.put(page::page(flight, comparison, about, &traces, sensors))?;
+        page.put(page::page(flight, comparison, about, shown))?;
         summary.put(summary::json(flight, comparison, about, &REPORT))?;
         Ok(vec![drift.into_file(), picture, page, summary])
     }
-}
-
-/// Puts `nav.csv`, the messages and a report in their places.
-pub fn place(nav: Vec<OutputFile>, report: Vec<OutputFile>) -> Result<(), InputError> {
-    output::place(nav.into_iter().chain(report).collect(), &[])
 }

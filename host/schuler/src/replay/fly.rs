@@ -4,7 +4,7 @@ use super::along::{Flies, Flown, along};
 use super::biases::Biases;
 pub use super::bridged::Bridged;
 use super::held::Held;
-use super::rows::Rows;
+use super::rows::{Finished, Rows};
 use super::spans::Spans;
 use crate::cli::ReplayArgs;
 use schuler::flight::plan;
@@ -45,6 +45,8 @@ pub struct Flight {
     pub nav: Vec<OutputFile>,
     /// Every row, where they are to be compared.
     pub track: Option<Track>,
+    /// The rows of `nav.csv`, where they are wanted.
+    pub rows: Vec<NavigationRow>,
 }
 
 /// What a flight is flown by.
@@ -59,6 +61,8 @@ pub struct Orders<'a> {
     pub heights: Option<Heights>,
     /// Where the rows go.
     pub nav: &'a Path,
+    /// Whether they are wanted in memory, too.
+    pub keep: bool,
 }
 
 /// What every sample is flown with.
@@ -100,7 +104,7 @@ impl<'a> Flying<'a> {
         orders: &'a Orders,
         start: &NavigationRow,
     ) -> Result<Self, FlightError> {
-        let Orders { args, options, shape, heights, nav } = orders;
+        let Orders { args, options, shape, heights, nav, keep } = orders;
         let (order, interval) = (plan::HIGHEST_ORDER, survey.clock.interval());
         let opening = args.align.is_none();
         let opening = opening.then(|| Opening::new(&recording.name, recording.kind, start));
@@ -116,7 +120,7 @@ impl<'a> Flying<'a> {
         }
         let even = matches!(survey.clock, Clock::Even { .. });
         let mcap = args.mcap.as_deref();
-        let rows = Rows::new(nav, mcap, args.every, start, args.reference.is_some())?;
+        let rows = Rows::new(nav, mcap, args.every, start, args.reference.is_some(), *keep)?;
         let held = heights.as_ref().map(Held::new);
         let biases = Biases::default();
         Ok(Self { recording, even, navigator, rows, held, samples: 0, opening, biases })
@@ -130,10 +134,12 @@ impl<'a> Flying<'a> {
         }
         navigator.finish(&mut |_, row| rows.add(row));
         let (neglected, last) = (rows.highest.neglected(), rows.last);
-        let (nav, track) = rows.finish()?;
+        let Finished { files: nav, track, kept: rows } = rows.finish()?;
         let (bridged, outside) = (Bridged::default(), (0, None));
         let digest = navigator.digest();
-        Ok(Flight { start, last, bridged, outside, neglected, samples, digest, nav, track })
+        let flown =
+            Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };
+        Ok(flown)
     }
 }
 

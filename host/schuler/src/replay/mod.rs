@@ -19,17 +19,19 @@ mod table;
 
 use crate::cli::{Height, ReplayArgs};
 use crate::report::sensors::Sensors;
+use crate::report::traces::Traces;
 use comparison::Has;
 use files::ReportFiles;
 use fly::{Flight, Orders};
 use places::Places;
 use schuler::flight::plan;
+use schuler::solution::Solution;
 use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler_simulator::flight::Instant;
 use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::number::parameter;
-use schuler_simulator::output::say;
+use schuler_simulator::output::{self, OutputFile, say};
 use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::NavigationRow;
 use schuler_simulator::recording::reference::Reference;
@@ -38,16 +40,48 @@ use schuler_simulator::recording::samples::Samples;
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::scene::{Algorithm, Navigator, Vertical, WindowShape};
 use schuler_simulator::simulate::FlightError;
+use std::path::Path;
 use summary::About;
 
 /// Navigates a recording and writes `nav.csv`, a row per sample or fewer. Prints what its stamps say, what
 /// was aligned to, and where the vehicle ends up.
 ///
-/// The recording is gone through twice, once to look and once to navigate (once more for a report's page), and never held in memory; the rows
-/// are, where there is a reference to compare them with.
+/// The recording is gone through twice, once to look and once to navigate (once more for a report's page), and never
+/// held in memory; the rows are, where there is a reference to compare them with.
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
     let recording = Recording::open_as(&name_of(&args.imu), &args.given())?;
+    let Replayed { text, files, .. } = fly(args, &recording, false)?;
+    output::place(files, &[])?;
+    let places = Places::new(&args.out, args.reference.is_some());
+    let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
+    let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
+    let nav = places.nav.display();
+    let [report, messages] = [report, messages].map(Option::unwrap_or_default);
+    say(&format!("{text}written to {nav}{messages}{report}\n"))?;
+    Ok(())
+}
+
+/// A replay that has reached its end.
+pub struct Replayed {
+    /// What is said of its end.
+    pub text: String,
+    /// Where it started, at a time, s.
+    pub start: (f64, Solution<f64>),
+    /// Digest of every state.
+    pub digest: u64,
+    /// The window.
+    pub window: Option<WindowShape>,
+    /// The rows of `nav.csv`, where they are wanted.
+    pub rows: Vec<NavigationRow>,
+    /// `summary.json` and `report.html`, where it is compared and its rows are wanted.
+    pub report: Option<[String; 2]>,
+    /// Every file, not in its place yet.
+    pub files: Vec<OutputFile>,
+}
+
+/// Flies a recording. Its rows are wanted in memory, too, where `keep` says so.
+pub fn fly(args: &ReplayArgs, recording: &Recording, keep: bool) -> Result<Replayed, FlightError> {
     let mut options = Navigator::default();
     args.navigator.apply(&mut options)?;
     args.handling.apply(&mut options);
@@ -55,20 +89,20 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     let reference =
         args.reference.as_ref().map(|file| Reference::open(&name_of(file), recording.scale));
     let reference = reference.transpose()?;
-    if args.aiding.gnss.is_some() {
-        return aided(args, &recording, &options, reference.as_ref());
+    if let Some(gnss) = &args.aiding.gnss {
+        return aided(args, gnss, recording, &options, reference.as_ref(), keep);
     }
-    let (initial, args) = &initial::initial(args, &recording)?;
+    let (initial, args) = &initial::initial(args, recording)?;
 
     let measured = spans::about(args, initial);
-    let survey = Survey::of(&recording, args.rate.map(|rate_hz| 1.0 / rate_hz), measured)?;
+    let survey = Survey::of(recording, args.rate.map(|rate_hz| 1.0 / rate_hz), measured)?;
     let spans = spans::Spans::new(args, &survey, initial)?;
     let end_s = spans.until_s.min(survey.end_s);
     if let Some(reference) = &reference {
         comparison::check(reference, spans.navigate_s, end_s)?;
     }
     let shape = shape(&options, &survey);
-    for line in survey.said(&recording) {
+    for line in survey.said(recording) {
         say(&format!("{line}\n"))?;
     }
     if options.algorithm == Algorithm::Taylor {
@@ -78,48 +112,56 @@ pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
         say(&format!("window {history},{block},{lookahead} {how}: {motion}\n"))?;
     }
     let heights = heights(args, &options, initial, [spans.navigate_s, end_s])?;
+    let window = (options.algorithm == Algorithm::Taylor).then_some(shape);
     let tail = Tail {
         args,
-        recording: &recording,
+        recording,
         survey: &survey,
         spans: &spans,
         options: &options,
         shape,
         reference: reference.as_ref(),
+        keep,
     };
-    tail.tell(&mut |nav| {
-        let orders = Orders { args, options, shape, heights: heights.clone(), nav };
-        let flight = fly::fly(&recording, &survey, &spans, initial, &orders)?;
+    let replayed = tail.tell(&mut |nav| {
+        let orders = Orders { args, options, shape, heights: heights.clone(), nav, keep };
+        let flight = fly::fly(recording, &survey, &spans, initial, &orders)?;
         let text = report::text(&flight, &spans, args.align.is_some());
         Ok((flight, text))
-    })
+    })?;
+    Ok(Replayed { window, ..replayed })
 }
 
 /// The same with what aids it.
 fn aided(
     args: &ReplayArgs,
+    gnss: &Path,
     recording: &Recording,
     options: &Navigator,
     reference: Option<&Reference>,
-) -> Result<(), FlightError> {
+    keep: bool,
+) -> Result<Replayed, FlightError> {
     let span = (args.start.unwrap_or(f64::NEG_INFINITY), args.until.unwrap_or(f64::INFINITY));
     let survey = Survey::of(recording, args.rate.map(|rate_hz| 1.0 / rate_hz), span)?;
     for line in survey.said(recording) {
         say(&format!("{line}\n"))?;
     }
-    let Some(given) = aided::given::given(args, recording, &survey)? else { return Ok(()) };
+    let given = aided::given::given(args, gnss, recording, &survey)?;
     let beginning = aided::start::beginning(args, recording, &survey, &given)?;
     let (args, spans) = (&beginning.args, &beginning.spans);
     if let Some(reference) = reference {
         comparison::check(reference, spans.navigate_s, spans.until_s.min(survey.end_s))?;
     }
     let shape = H0B4A0::SHAPE;
-    let tail = Tail { args, recording, survey: &survey, spans, options, shape, reference };
-    tail.tell(&mut |nav| {
-        let (flight, text) = aided::fly::fly(recording, &survey, &beginning, &given, options, nav)?;
+    let tail = Tail { args, recording, survey: &survey, spans, options, shape, reference, keep };
+    let replayed = tail.tell(&mut |nav| {
+        let places = (nav, keep);
+        let (flight, text) =
+            aided::fly::fly(recording, &survey, &beginning, &given, options, places)?;
         let text = report::text(&flight, spans, false) + &text;
         Ok((flight, text))
-    })
+    })?;
+    Ok(Replayed { window: Some(shape), ..replayed })
 }
 
 /// What comes after a flight is known to be possible: it, its files, and what is told of it.
@@ -131,39 +173,46 @@ struct Tail<'a> {
     options: &'a Navigator,
     shape: WindowShape,
     reference: Option<&'a Reference>,
+    keep: bool,
 }
 
 /// A flight whose rows go to a file, and what is said of it.
-type Fly<'a> = dyn FnMut(&std::path::Path) -> Result<(Flight, String), FlightError> + 'a;
+type Fly<'a> = dyn FnMut(&Path) -> Result<(Flight, String), FlightError> + 'a;
 
 impl Tail<'_> {
-    fn tell(&self, fly: &mut Fly<'_>) -> Result<(), FlightError> {
-        let Self { args, recording, survey, spans, options, shape, reference } = *self;
+    fn tell(&self, fly: &mut Fly<'_>) -> Result<Replayed, FlightError> {
+        let Self { args, recording, survey, spans, options, shape, reference, keep } = *self;
         let places = Places::new(&args.out, reference.is_some());
         let has = reference.map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
-        let files = has.map(|has| ReportFiles::create(&places, has, spans.navigate_s));
+        let files = has.map(|has| ReportFiles::create(&places, has));
         let mut files = files.transpose()?.flatten();
         let (mut flight, mut text) = fly(&places.nav)?;
-        let mut filled = Vec::new();
+        let (mut filled, mut report) = (Vec::new(), None);
         if let (Some(reference), Some(track)) = (reference, flight.track.take()) {
-            let mut row =
-                |instant: &Instant| files.as_mut().map_or(Ok(()), |files| files.row(instant));
+            let mut traces = Traces::default();
+            let mut row = |instant: &Instant| {
+                traces.row(&Instant { time_s: instant.time_s - spans.navigate_s, ..*instant });
+                files.as_mut().map_or(Ok(()), |files| files.row(instant))
+            };
             let comparison = comparison::compare(&track, reference, args.lag, &mut row)?;
             let (imu, rate_hz) = (recording.name.as_str(), 1.0 / survey.clock.interval_s());
             let about = About { imu, rate_hz, options, shape, spans };
             text += &table::table(&comparison);
-            if let Some(files) = files {
+            if keep || files.is_some() {
                 let sensors = read(recording, survey, [spans.navigate_s, flight.last.0])?;
-                filled = files.fill(&flight, &comparison, &about, &sensors)?;
+                let shown = (&traces, &sensors);
+                report = keep.then(|| {
+                    let summary = summary::json(&flight, &comparison, &about, &[]);
+                    [summary, page::page(&flight, &comparison, &about, shown)]
+                });
+                let files = files.map(|files| files.fill(&flight, &comparison, &about, shown));
+                filled = files.transpose()?.unwrap_or_default();
             }
         }
-        files::place(flight.nav, filled)?;
-        let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
-        let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
-        let nav = places.nav.display();
-        let [report, messages] = [report, messages].map(Option::unwrap_or_default);
-        say(&format!("{text}written to {nav}{messages}{report}\n"))?;
-        Ok(())
+        let start = (spans.navigate_s, flight.start);
+        let files = flight.nav.into_iter().chain(filled).collect();
+        let (digest, rows) = (flight.digest, flight.rows);
+        Ok(Replayed { text, start, digest, window: None, rows, report, files })
     }
 }
 

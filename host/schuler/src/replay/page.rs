@@ -56,8 +56,7 @@ pub fn page(
     flight: &Flight,
     comparison: &Comparison,
     about: &About,
-    traces: &Traces,
-    sensors: &Sensors,
+    (traces, sensors): (&Traces, &Sensors),
 ) -> String {
     let title = escape(&title(about));
     let charted = charted(comparison, about);

@@ -23,9 +23,21 @@ pub struct Rows {
     /// The last row there was.
     pub last: (f64, Solution<f64>),
     last_is_written: bool,
+    /// The rows that are written, where they are wanted.
+    kept: Option<Vec<NavigationRow>>,
     /// The place farthest from the ellipsoid.
     pub highest: Highest,
     written: Result<(), InputError>,
+}
+
+/// What is left of the rows at the end.
+pub struct Finished {
+    /// Not in their places yet.
+    pub files: Vec<OutputFile>,
+    /// Every row, where they are to be compared.
+    pub track: Option<Track>,
+    /// The rows that are written, where they are wanted.
+    pub kept: Vec<NavigationRow>,
 }
 
 impl Rows {
@@ -36,6 +48,7 @@ impl Rows {
         every: Option<Every>,
         start: (f64, Solution<f64>),
         is_compared: bool,
+        is_kept: bool,
     ) -> Result<Self, InputError> {
         let mut track = is_compared.then(Track::default);
         if let Some(track) = &mut track {
@@ -49,6 +62,7 @@ impl Rows {
             track,
             last: start,
             last_is_written: true,
+            kept: is_kept.then(Vec::new),
             highest: Highest::default(),
             written: Ok(()),
         })
@@ -76,7 +90,11 @@ impl Rows {
     fn write(&mut self) {
         if self.written.is_ok() {
             let (time_s, row) = &self.last;
-            self.written = self.writer.row(&NavigationRow::new(*time_s, row)).and_then(|()| {
+            let numbers = NavigationRow::new(*time_s, row);
+            if let Some(kept) = &mut self.kept {
+                kept.push(numbers);
+            }
+            self.written = self.writer.row(&numbers).and_then(|()| {
                 let messages = self.messages.as_mut();
                 messages.map_or(Ok(()), |file| file.state(Motion::Computed, *time_s, row))
             });
@@ -88,14 +106,14 @@ impl Rows {
         std::mem::replace(&mut self.written, Ok(()))
     }
 
-    /// The files, whole, but not in their places yet, and every row that is to be compared.
-    pub fn finish(mut self) -> Result<(Vec<OutputFile>, Option<Track>), InputError> {
+    /// The files, whole, but not in their places yet; every row that is to be compared; those that are wanted.
+    pub fn finish(mut self) -> Result<Finished, InputError> {
         if !self.last_is_written {
             self.write();
         }
         self.written?;
         let mut files = vec![self.writer.into_file()];
         files.extend(self.messages.map(McapWriter::into_file).transpose()?);
-        Ok((files, self.track))
+        Ok(Finished { files, track: self.track, kept: self.kept.unwrap_or_default() })
     }
 }

@@ -47,8 +47,13 @@ pub struct FlightFiles {
 
 /// Says, before a flight, that its files will take the place of those of another command.
 pub fn tell_replaced(folder: &Path) {
-    if let Some(before) = head::command_of(&folder.join(summary::NAME))
-        && before != head::command()
+    tell_replaced_by(folder, summary::NAME, &head::command());
+}
+
+/// The same of a command, an argument each, with a summary of a name.
+pub fn tell_replaced_by(folder: &Path, summary: &str, command: &[String]) {
+    if let Some(before) = head::command_of(&folder.join(summary))
+        && before != command
     {
         let (folder, before) = (folder.display(), head::shell(&before));
         eprintln!("schuler: replaces in {folder} the files of `{before}`; --out keeps both");
@@ -134,7 +139,7 @@ impl FlightFiles {
 }
 
 /// The covariance of north and east that theory expects at the end, m²; none where that has ended.
-fn end_covariance(flight: &Flight) -> Option<[[f64; 2]; 2]> {
+pub fn end_covariance(flight: &Flight) -> Option<[[f64; 2]; 2]> {
     let is_known = flight.last.sigma.position_m.iter().all(|sigma| sigma.is_finite());
     let theory = Theory::new(&flight.scene).ok().filter(|_| is_known);
     let covariance = theory?.covariance(flight.last.time_s);

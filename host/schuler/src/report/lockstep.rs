@@ -5,6 +5,7 @@ use schuler_report::canvas::Ink;
 use schuler_report::interactive::{Interactive, Scale};
 use schuler_report::layer::{Kind, Layer};
 use schuler_report::page;
+use schuler_report::svg::escape;
 use serde::Serialize;
 
 /// Spans of a flight in which faults are counted.
@@ -15,11 +16,14 @@ const BARS: f64 = 40.0;
 /// The part of a summary that has a target.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Lockstep {
-    /// Whether every bit was the same to the end.
+    /// Whether every bit was the same, as far as the flight went.
     equal: bool,
     /// Why not.
     #[serde(skip_serializing_if = "Option::is_none")]
     parted: Option<String>,
+    /// What ended an equal flight early; a summary has that by itself.
+    #[serde(skip)]
+    ended: Option<String>,
     /// The digest of both, where they are equal.
     #[serde(skip)]
     digest: String,
@@ -112,9 +116,9 @@ impl Latency {
 }
 
 impl Lockstep {
-    /// Of a flight so long, s. `parted` is why it ended early.
+    /// Of a flight so long, s: why target and twin part, if they do, and what else ended it early.
     pub fn new(
-        parted: Option<String>,
+        [parted, ended]: [Option<String>; 2],
         digest: &str,
         latency: Option<Latency>,
         events: &[Event],
@@ -133,7 +137,8 @@ impl Lockstep {
             spans[span].sent_again += event.sent_again;
         }
         let link_over_time = if events.is_empty() { Vec::new() } else { spans };
-        Self { equal: parted.is_none(), parted, digest: digest.to_owned(), latency, link_over_time }
+        let (equal, digest) = (parted.is_none(), digest.to_owned());
+        Self { equal, parted, ended, digest, latency, link_over_time }
     }
 
     /// How long answers took.
@@ -143,29 +148,32 @@ impl Lockstep {
 
     /// In a line, above everything else.
     pub fn verdict(&self) -> String {
-        match &self.parted {
-            None => {
+        match (&self.parted, &self.ended) {
+            (None, Some(why)) => {
+                let text =
+                    format!("The flight ended early, target and twin equal until then: {why}");
+                page::verdict(false, &text)
+            }
+            (None, None) => {
                 let text =
                     format!("Target and twin are equal in every bit: digest {}", self.digest);
                 page::verdict(true, &text)
             }
-            Some(why) => page::verdict(false, &format!("Target and twin part: {why}")),
+            (Some(why), _) => page::verdict(false, &format!("Target and twin part: {why}")),
         }
     }
 
     /// The histogram, and what happened over time.
     pub fn charts(&self) -> String {
         let latency = self.latency.iter().map(|latency| {
-            let points = latency.histogram.iter().flat_map(|bar| {
-                [bar.from_ms, bar.to_ms].map(|ms| [ms, bar.answers as f64, 0.0])
-            });
+            let points = latency
+                .histogram
+                .iter()
+                .flat_map(|bar| [bar.from_ms, bar.to_ms].map(|ms| [ms, bar.answers as f64, 0.0]));
             let layer = Layer::new("answers", Ink::North, Kind::Band(0.6), points.collect());
-            let title = format!(
-                "Time to an answer: median {:.3} ms, 99 % within {:.3} ms, {} of {} later than the next sample",
-                latency.median_ms, latency.percentile_99_ms, latency.late, latency.answers
-            );
             let count = Scale::new("", "").from_zero();
-            Interactive::new(&title, Scale::new("time", "ms"), count).with(layer)
+            Interactive::new("Time to an answer: how many", Scale::new("time", "ms"), count)
+                .with(layer)
         });
         let end_s = self.link_over_time.last().map_or(0.0, |span| span.to_s);
         let (scale, per_second) = figures::time(end_s);
@@ -184,7 +192,11 @@ impl Lockstep {
                 .with(faults)
                 .with(again)
         });
-        figures::grid(latency.chain(over_time))
+        let words = self
+            .latency
+            .as_ref()
+            .map_or(String::new(), |latency| format!("<p>{}</p>\n", escape(&latency.text())));
+        words + &figures::grid(latency.chain(over_time))
     }
 }
 
@@ -211,13 +223,15 @@ mod tests {
     fn events_fall_into_their_spans() {
         let event = |time_s, faults, sent_again| Event { time_s, faults, sent_again };
         let events = [event(0.5, 1, 0), event(59.9, 2, 1), event(60.0, 4, 4)];
-        let lockstep = Lockstep::new(None, "0f", None, &events, 60.0);
+        let lockstep = Lockstep::new([None, None], "0f", None, &events, 60.0);
         let counts: Vec<u64> = lockstep.link_over_time.iter().map(|span| span.faults).collect();
         assert_eq!((counts[0], counts[59], counts.iter().sum::<u64>()), (1, 6, 7));
         assert_eq!(lockstep.link_over_time[59].sent_again, 5);
         assert!(lockstep.verdict().contains("class=\"verdict good\""));
-        let parted = Lockstep::new(Some("sample 3: <it>".to_owned()), "", None, &[], 60.0);
+        let parted = Lockstep::new([Some("sample 3: <it>".to_owned()), None], "", None, &[], 60.0);
         assert!(parted.verdict().contains("bad\">Target and twin part: sample 3: &lt;it&gt;"));
         assert!(parted.charts().is_empty());
+        let ended = Lockstep::new([None, Some("lost".to_owned())], "0f", None, &[], 60.0);
+        assert!(ended.equal && ended.verdict().contains("bad\">The flight ended early"));
     }
 }

@@ -87,6 +87,8 @@ pub fn scaled(scale: f64) -> Flight {
         },
         accelerometer: SensorErrors { gauss_markov: markov(100.0 * MICRO_G), ..Default::default() },
         initial_error: Default::default(),
+        aiding: Default::default(),
+        alignment: None,
         navigator: Navigator::default(),
         link: Link::default(),
     };
@@ -94,6 +96,7 @@ pub fn scaled(scale: f64) -> Flight {
         scene,
         samples: 36_000,
         ended: None,
+        aligned: None,
         window: Some(WindowShape { history: 2, block: 4, lookahead: 2 }),
         planned: None,
         edges: Some(Edges {
@@ -115,6 +118,7 @@ pub fn scaled(scale: f64) -> Flight {
         outside: None,
         lost: 0,
         link: None,
+        aided: None,
         time: Some(StageTimes { trajectory_ns: 210.0, emulate_ns: 145.0, navigate_ns: 96.0 }),
     }
 }

@@ -33,9 +33,13 @@ pub fn verdict(flight: &Flight) -> [String; 2] {
             Some(z) => format!("{z:+.2}σ"),
             None => "no scatter".to_owned(),
         };
+        let whose = match flight.aided {
+            Some(_) => "The filter says: 1σ".to_owned(),
+            None => format!("Theory: mean {}, 1σ", position(&last.mean)),
+        };
+        let of = if flight.aided.is_some() { "" } else { " of the mean" };
         format!(
-            "Theory: mean {}, 1σ {}; the error lies {} north, {} east, {} down of the mean.",
-            position(&last.mean),
+            "{whose} {}; the error lies {} north, {} east, {} down{of}.",
             position(&last.sigma),
             score(0),
             score(1),

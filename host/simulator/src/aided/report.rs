@@ -1,9 +1,9 @@
 //! What became of a run's measurements.
 
+use crate::quadratic::by_chance;
 use schuler::aiding::aided::measured::{Kind, Sensor};
 use schuler::aiding::aided::tally::Transport;
 use serde::Serialize;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// A measurement that was judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +31,7 @@ pub struct Count {
     pub refused: u32,
     /// Lockouts.
     pub lockouts: u32,
-    /// Components of the vectors taken.
+    /// Components of the vectors taken since the heading was found.
     pub degrees: u32,
     /// Σ NIS of them.
     pub nis: f64,
@@ -41,9 +41,7 @@ impl Count {
     /// Σ NIS by what it should be, and where 95 % of such sums lie; `None` without measurements.
     pub fn consistency(&self) -> Option<(f64, [f64; 2])> {
         let freedom = f64::from(self.degrees);
-        let law = ChiSquared::new(freedom).ok().filter(|_| self.degrees > 0)?;
-        let expected = [0.025, 0.975].map(|part| law.inverse_cdf(part) / freedom);
-        Some((self.nis / freedom, expected))
+        (self.degrees > 0).then(|| (self.nis / freedom, by_chance(freedom)))
     }
 }
 
@@ -83,13 +81,17 @@ impl Report {
         lockouts: [u32; 5],
         transport: Transport,
     ) -> Self {
+        let settled_s = restarts_s.last().copied().unwrap_or(f64::NEG_INFINITY);
         let sensors = Sensor::ALL.into_iter().zip(lockouts).filter_map(|(sensor, lockouts)| {
             let mut count = Count { sensor: name(sensor), lockouts, ..Count::default() };
             for one in judged.iter().filter(|one| one.kind.sensor() == sensor) {
                 if one.accepted {
                     count.accepted += 1;
-                    count.degrees += one.kind.degrees();
-                    count.nis += one.nis;
+                    // While a heading is looked for, what is accepted need not fit.
+                    if one.time_s > settled_s {
+                        count.degrees += one.kind.degrees();
+                        count.nis += one.nis;
+                    }
                 } else {
                     count.refused += 1;
                 }

@@ -3,14 +3,13 @@
 use super::report::{Count, Report};
 use super::vehicle::AidedVehicle;
 use crate::input::InputError;
-use crate::quadratic::quadratic;
+use crate::quadratic::{by_chance, quadratic};
 use crate::scene::Scene;
 use crate::simulate::start;
 use crate::source::Source;
 use schuler::aiding::aided::fault::AidedFault;
 use schuler::drift::compare::drift;
 use schuler::math::vector::Vector;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// A run at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -119,14 +118,8 @@ fn at_instant(runs: &[Run], at: usize) -> Together {
             0 => mean(&|read| quadratic(&read.covariance, &read.error)) / 9.0,
             _ => mean(&|read| three(read, 3 * (group - 1))) / 3.0,
         }),
-        expected: std::array::from_fn(|group| expected(n * freedom(group))),
+        expected: std::array::from_fn(|group| by_chance(n * freedom(group))),
     }
-}
-
-/// Where 95 % of the means of a χ² by its degrees of freedom lie.
-fn expected(freedom: f64) -> [f64; 2] {
-    ChiSquared::new(freedom)
-        .map_or([f64::NAN; 2], |law| [0.025, 0.975].map(|part| law.inverse_cdf(part) / freedom))
 }
 
 /// The measurements of all runs, by sensor.

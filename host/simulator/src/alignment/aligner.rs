@@ -1,6 +1,7 @@
 //! One run's alignment: samples in, attitude and biases out.
 
 use crate::scene::Alignment;
+use crate::scene::alignment::BLOCK;
 use crate::source::Source;
 use schuler::aiding::alignment::aligned::Aligned;
 use schuler::aiding::alignment::fine::{Fine, FineState};
@@ -116,7 +117,7 @@ impl<'a> Aligner<'a> {
         let Some(velocities) = &mut self.velocities else { return Ok(()) };
         // The navigator stands at a block's end there.
         let due = (velocities.measured + 1) as f64 * velocities.every;
-        if self.taken.is_multiple_of(4) && self.taken as f64 >= due {
+        if self.taken.is_multiple_of(BLOCK) && self.taken as f64 >= due {
             velocities.measured += 1;
             let truth = self.source.truth(self.taken).velocity_ned.map(|v| v.hi);
             let [north, east, down] =
@@ -150,6 +151,6 @@ impl<'a> Aligner<'a> {
 
     /// Samples that its solution has integrated.
     pub fn integrated(&self) -> u64 {
-        self.taken - self.taken % 4
+        self.taken - self.taken % BLOCK
     }
 }

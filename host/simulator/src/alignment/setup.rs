@@ -4,6 +4,7 @@ use super::aligner::{Aligner, Aligns, Running};
 use super::sensors;
 use super::under_way::UnderWay;
 use crate::input::{Complaint, InputError};
+use crate::scene::alignment::BLOCK;
 use crate::scene::{Alignment, Base, Scene};
 use crate::simulate::start;
 use crate::source::Source;
@@ -19,8 +20,6 @@ use schuler::noise::Streams;
 use schuler::solution::{Euler, Solution};
 use std::f64::consts::TAU;
 
-/// Samples of a block: an alignment ends where one does.
-const BLOCK: u64 = 4;
 /// Branches of the random start: those below are the nine numbers of an initial error.
 const HEADING: u64 = 3;
 const VELOCITY: u64 = 4;

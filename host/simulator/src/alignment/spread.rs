@@ -2,8 +2,8 @@
 
 use super::outcome::Outcome;
 use super::setup::Setup;
+use crate::quadratic::by_chance;
 use crate::scene::Base;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::f64::consts::PI;
 
 /// The axes of an attitude error.
@@ -72,13 +72,9 @@ impl Spread {
             axis.sigma = Some(mean(&|one| one.sigma[i].powi(2)).sqrt());
             axis.limit = limits[i];
         }
-        let freedom = 3.0 * n;
-        let expected = ChiSquared::new(freedom).map_or([f64::NAN; 2], |law| {
-            [0.025, 0.975].map(|part| law.inverse_cdf(part) / freedom)
-        });
         let claimed = Claimed {
             nees: mean(&|one| one.nees) / 3.0,
-            expected,
+            expected: by_chance(3.0 * n),
             residual: mean(&|one| one.aligned.residual),
         };
         Self { claimed: Some(claimed), ..spread }

@@ -22,6 +22,9 @@ const MARGIN: f64 = 3.0;
 /// Velocities until then, at least.
 const FEWEST: u32 = 10;
 
+type Filter = Fine<Navigator4<f64>, 15, 120, 0>;
+type FilterState = FineState<Navigator4<f64>, 15, 120, 0>;
+
 /// A vehicle that moves.
 pub(super) struct UnderWay {
     navigator: Navigator4<f64>,
@@ -34,7 +37,7 @@ pub(super) struct UnderWay {
     since_s: f64,
     inertial: Inertial<f64>,
     velocities: u32,
-    fine: Option<(Fine<Navigator4<f64>, 15, 120, 0>, FineState<Navigator4<f64>, 15, 120, 0>)>,
+    fine: Option<(Filter, FilterState)>,
 }
 
 impl UnderWay {

@@ -5,6 +5,7 @@ use crate::flight::Edges;
 use crate::lanes::abreast::Refused;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
+use schuler::strapdown::correction::{Correction, CorrectionError};
 use schuler::strapdown::limits::Rejected;
 
 /// A navigator with what an alignment left it.
@@ -63,6 +64,10 @@ impl Navigate for Begun {
 
     fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected> {
         self.navigator.hold_vertical(altitude_m, down_m_s)
+    }
+
+    fn correct(&mut self, correction: &Correction<f64>) -> Result<(), CorrectionError> {
+        self.navigator.correct(correction)
     }
 
     fn integrated(&self) -> u64 {

@@ -12,6 +12,7 @@ use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::block::newton;
+use schuler::strapdown::correction::{Correction, CorrectionError};
 use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::mechanization::UnequalIntervals;
@@ -133,6 +134,17 @@ where
 
     fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Rejected> {
         self.flown.hold_vertical(altitude_m, down_m_s)
+    }
+
+    fn correct(&mut self, correction: &Correction<f64>) -> Result<(), CorrectionError> {
+        let Correction { position_ned, velocity_ned, attitude_ned } = correction;
+        let narrowed = Correction {
+            position_ned: position_ned.map(Scalar::narrow),
+            velocity_ned: velocity_ned.map(Scalar::narrow),
+            attitude_ned: attitude_ned.map(Scalar::narrow),
+        };
+        let (mechanization, state, _) = self.flown.parts_mut();
+        mechanization.correct(state, &narrowed)
     }
 
     fn integrated(&self) -> u64 {

@@ -163,10 +163,13 @@ fn sensors(readings: &Readings<f64>, quality: &Quality<f64>, piece_s: f64) -> Li
     }
 }
 
+/// An alignment with sensors that are taken for something.
+type Filtered<'a> = dyn Fn(&Limit<f64>) -> Result<Aligned<f64>, InputError> + 'a;
+
 /// The sensors with the least noise that the residuals bear, by halves: the gyros', then the accelerometers'.
 fn quietest(
     (mut sensors, mut found): (Limit<f64>, Aligned<f64>),
-    filtered: &dyn Fn(&Limit<f64>) -> Result<Aligned<f64>, InputError>,
+    filtered: &Filtered<'_>,
     bears: &dyn Fn(&Aligned<f64>) -> bool,
 ) -> Result<(Limit<f64>, Aligned<f64>), InputError> {
     let noises: [fn(&mut Limit<f64>) -> &mut f64; 2] =
@@ -215,7 +218,7 @@ fn text(aligned: &Aligned<f64>, sensors: &Limit<f64>, here: &Surroundings<f64>) 
     format!(
         "fine: roll {:.4}°, pitch {:.4}°, heading {:.4}° (1σ: level {:.4}°, heading {:.4}°; theory allows \
          {limit:.4}°)\n\
-         gyro biases {} °/h (1σ {}), accelerometer biases {} µg (1σ {}); noise {} °/√h; residuals {:.2} of \
+         gyro biases {} °/h (1σ {}), accelerometer biases {} µg (1σ {}); noise {:.2e} °/√h; residuals {:.2} of \
          what is expected\n",
         degrees(aligned.attitude.roll),
         degrees(aligned.attitude.pitch),
@@ -226,7 +229,7 @@ fn text(aligned: &Aligned<f64>, sensors: &Limit<f64>, here: &Surroundings<f64>) 
         three(gyro_sigma, DEGREE_PER_HOUR, 4),
         three(force, MICRO_G, 1),
         three(force_sigma, MICRO_G, 1),
-        format!("{:.2e}", sensors.gyro_noise / DEGREE * 60.0),
+        sensors.gyro_noise / DEGREE * 60.0,
         aligned.residual,
     )
 }

@@ -6,7 +6,4 @@ pub mod opening;
 pub mod units;
 mod words;
 
-/// Says on the error stream what is poor, yet no reason to stop.
-fn warn(text: &str) {
-    eprintln!("schuler: warning: {text}");
-}
+use crate::output::heard::warn;

@@ -6,6 +6,9 @@ use std::f64::consts::TAU;
 /// A swell of seven seconds, about 0.3 m high.
 const SWELL: Resonator<f64> = Resonator { rms_m: 0.2, rate: TAU / 7.0, damping: 0.03 };
 
+/// Samples of a block of the navigator that is aligned: an alignment ends where one does.
+pub const BLOCK: u64 = 4;
+
 /// An alignment that comes before navigation, on the scene's own motion and sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Alignment {

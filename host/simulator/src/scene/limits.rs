@@ -2,6 +2,7 @@
 
 mod path;
 
+use super::alignment::BLOCK;
 use super::{Channel, Scene, Trajectory, Vertical, WindowShape};
 use crate::course::HARMONICS;
 use crate::input::{Complaint, Range};
@@ -36,9 +37,6 @@ const MOST_PHASE: f64 = 2000.0;
 const MAX_ACCELERATION: f64 = 1e5;
 /// Speed along one channel, m/s.
 const MAX_SPEED: f64 = 1e5;
-
-/// Samples that an alignment's navigator takes at once.
-const BLOCK: f64 = 4.0;
 
 /// What a window may be, for people.
 pub fn windows() -> String {
@@ -216,11 +214,12 @@ fn aiding(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
 /// Refuses an alignment that leaves no time for navigation, or misses samples.
 fn alignment(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
     let Some(alignment) = scene.alignment else { return Ok(()) };
-    let longest_s = scene.duration_s - BLOCK / scene.rate_hz;
-    if !(BLOCK / scene.rate_hz..=longest_s).contains(&alignment.duration_s) {
+    let block_s = BLOCK as f64 / scene.rate_hz;
+    let longest_s = scene.duration_s - block_s;
+    if !(block_s..=longest_s).contains(&alignment.duration_s) {
         let what =
             format!("{} s are not within the scene's {}", alignment.duration_s, scene.duration_s);
-        let accepted = format!("seconds, from {} to {longest_s}", BLOCK / scene.rate_hz);
+        let accepted = format!("seconds, from {} to {longest_s}", block_s);
         return Err(("alignment.duration_s", Complaint::new(what, accepted)));
     }
     if scene.link.loss > 0.0 {

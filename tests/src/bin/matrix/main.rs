@@ -28,7 +28,7 @@ mod verdict;
 
 use arguments::MatrixArgs;
 use clap::Parser;
-use schuler_host::audit::page::{self, Table};
+use schuler_host::audit::page::{self, Table, Top};
 use schuler_simulator::input::InputError;
 use schuler_simulator::output::say;
 use std::process::ExitCode;
@@ -54,7 +54,8 @@ fn run(args: &MatrixArgs) -> Result<usize, InputError> {
     let tables = show::tables(&matrix);
     say(&tables.iter().map(Table::text).collect::<String>())?;
     if let Some(folder) = &args.out {
-        page::write(folder, "The same bits on every target", &tables, &matrix)?;
+        let top = Top { title: "The same bits on every target".to_owned(), ..Top::default() };
+        page::write(folder, &top, &tables, &matrix)?;
     }
     Ok(matrix.failed(args.require_all))
 }

@@ -8,6 +8,7 @@ use crate::cli::Span;
 use crate::replay::along::{Flies, Flown, Start, along};
 use crate::replay::biases::Biases;
 use crate::replay::fly::Flight;
+use crate::replay::rows::Finished;
 use schuler::aiding::aided::measured::Measured;
 use schuler::aiding::aided::settings::{Settings, Start as First};
 use schuler::aiding::states::Process;
@@ -52,7 +53,7 @@ pub fn fly(
     beginning: &Beginning,
     given: &Given,
     options: &Navigator,
-    nav: &Path,
+    (nav, keep): (&Path, bool),
 ) -> Result<(Flight, String), FlightError> {
     let Beginning { row, args, spans, how } = beginning;
     let spans_s: Vec<_> = args.aiding.withhold.iter().map(|Span(span_s)| *span_s).collect();
@@ -86,7 +87,7 @@ pub fn fly(
             early: told.len() - arriving.len(),
             vehicle: AidedVehicle::with(navigator, arriving, rate_hz),
             biases: refined.map(|refined| Biases::of(&refined.aligned)).unwrap_or_default(),
-            rows: AidedRows::new(nav, mcap, args.every, at, args.reference.is_some())?,
+            rows: AidedRows::new((nav, keep), mcap, args.every, at, args.reference.is_some())?,
             ends_s: VecDeque::new(),
             integrated: 0,
             samples: 0,
@@ -191,10 +192,10 @@ impl Flying<'_> {
         let digest = navigator.digest();
         let (neglected, last, samples) =
             (self.rows.highest.neglected(), self.rows.last, self.samples);
-        let (nav, track) = self.rows.finish()?;
+        let Finished { files: nav, track, kept: rows } = self.rows.finish()?;
         let (bridged, outside) = (Default::default(), (0, None));
         let flight =
-            Flight { start, last, bridged, outside, neglected, samples, digest, nav, track };
+            Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };
         Ok((flight, text))
     }
 }

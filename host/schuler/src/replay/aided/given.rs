@@ -13,6 +13,7 @@ use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::recording::time_tag;
 use schuler_simulator::scene::Scene;
+use std::path::Path;
 
 /// Fixes and sensors.
 pub struct Given {
@@ -29,11 +30,11 @@ pub struct Given {
 /// Reads it and says what it is.
 pub fn given(
     args: &ReplayArgs,
+    gnss: &Path,
     recording: &Recording,
     survey: &Survey,
-) -> Result<Option<Given>, InputError> {
+) -> Result<Given, InputError> {
     let aiding = &args.aiding;
-    let Some(path) = &aiding.gnss else { return Ok(None) };
     let Clock::Even { interval_s, .. } = survey.clock else {
         let what = "needs samples of a constant rate, and the stamps of the recording tell none";
         return Err(InputError::option(
@@ -57,7 +58,7 @@ pub fn given(
             Some(Epoch { scale: Scale::Gps, ahead_s: tied.ahead_s })
         }
     };
-    let fixes = Fixes::read(&name_of(path), epoch, aiding.gnss_lag, &aiding.gnss_sigma.0)?;
+    let fixes = Fixes::read(&name_of(gnss), epoch, aiding.gnss_lag, &aiding.gnss_sigma.0)?;
     for line in &fixes.said {
         say(&format!("{line}\n"))?;
     }
@@ -74,5 +75,5 @@ pub fn given(
             words.join("; ").replace("];", "]").replace("; [", "\n  [")
         ))?;
     }
-    Ok(Some(Given { fixes, unit, settings, rate_hz }))
+    Ok(Given { fixes, unit, settings, rate_hz })
 }

@@ -1,12 +1,13 @@
 //! The rows of an aided `nav.csv`: one at each end of a block, with the filter's standard deviations.
 
+use crate::replay::rows::Finished;
 use crate::report::every::{Every, Sieve};
 use schuler::solution::Solution;
 use schuler_simulator::flight::Nine;
 use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::high::Highest;
 use schuler_simulator::input::InputError;
-use schuler_simulator::output::{NumberTable, OutputFile};
+use schuler_simulator::output::NumberTable;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
 use schuler_simulator::recording::track::Track;
 use schuler_simulator::units::ARCSECOND;
@@ -26,6 +27,8 @@ pub struct AidedRows {
     /// The last row as numbers: it may still be corrected.
     waits: Option<[f64; WIDTH]>,
     is_kept: bool,
+    /// The rows that are written, where they are wanted.
+    kept: Option<Vec<NavigationRow>>,
     /// The place farthest from the ellipsoid.
     pub highest: Highest,
 }
@@ -33,7 +36,7 @@ pub struct AidedRows {
 impl AidedRows {
     /// Of a flight that starts at a time and in a state.
     pub fn new(
-        out: &Path,
+        (out, keep): (&Path, bool),
         mcap: Option<&Path>,
         every: Option<Every>,
         start: (f64, Solution<f64>),
@@ -47,6 +50,7 @@ impl AidedRows {
             track: is_compared.then(Track::default),
             last: start,
             waits: None,
+            kept: keep.then(Vec::new),
             is_kept: false,
             highest: Highest::default(),
         })
@@ -89,15 +93,18 @@ impl AidedRows {
         let Some(row) = self.waits.take() else { return Ok(()) };
         self.table.row(&row)?;
         let (time_s, state) = &self.last;
+        if let Some(kept) = &mut self.kept {
+            kept.push(NavigationRow::new(*time_s, state));
+        }
         let messages = self.messages.as_mut();
         messages.map_or(Ok(()), |file| file.state(Motion::Computed, *time_s, state))
     }
 
-    /// The files, whole, but not in their places yet, and every row that is to be compared.
-    pub fn finish(mut self) -> Result<(Vec<OutputFile>, Option<Track>), InputError> {
+    /// The files, whole, but not in their places yet; every row that is to be compared; those that are wanted.
+    pub fn finish(mut self) -> Result<Finished, InputError> {
         self.write()?;
         let mut files = vec![self.table.into_file()];
         files.extend(self.messages.map(McapWriter::into_file).transpose()?);
-        Ok((files, self.track))
+        Ok(Finished { files, track: self.track, kept: self.kept.unwrap_or_default() })
     }
 }

@@ -71,9 +71,15 @@ pub fn fly(
             let ((t, x), (u, y)) = (key(one), key(other));
             a.total_cmp(b).then(x.cmp(&y)).then(t.total_cmp(&u))
         });
-        if arriving.is_empty() {
-            let what = format!("has no measurement after {begin_s} s, where navigation starts");
-            let accepted = "some on the recording's own time (--gnss-lag shifts them)";
+        let end_s = spans.until_s.min(survey.end_s);
+        if !told.iter().any(|told| (begin_s..=end_s).contains(&told.time_s)) {
+            let times = told.iter().map(|told| told.time_s);
+            let first = times.clone().fold(f64::INFINITY, f64::min);
+            let last = times.fold(f64::NEG_INFINITY, f64::max);
+            let what = format!(
+                "has measurements of {first:.3} to {last:.3} s alone, by the recording's time, of which {begin_s:.3} to {end_s:.3} s are flown"
+            );
+            let accepted = "some between, by --time-tag, or by --gnss-lag, which shifts them";
             return Err(InputError::file(&given.fixes.name, Complaint::new(what, accepted)).into());
         }
         let interval = survey.clock.interval();

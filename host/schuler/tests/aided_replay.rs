@@ -140,7 +140,7 @@ fn what_is_withheld_is_compared_with_the_navigator() {
             assert!((a - b).abs() < 0.02 + 0.01 * b.abs(), "{off:?} {told:?}\n{said}");
         }
     }
-    assert!(said.contains("20 to 50.5 s, 31 fixes") && said.contains("2 spans together"), "{said}");
+    assert!(said.contains("20 to 50.5 s, 31 measurements") && said.contains("2 spans together"), "{said}");
     assert!(said.contains("gnss: 38 taken, 0 refused"), "{said}");
 }
 

@@ -1,5 +1,6 @@
 //! What is printed of aided navigation.
 
+use schuler_simulator::aided::navigator::Found;
 use schuler_simulator::aided::report::{Count, Report};
 use schuler_simulator::number::rounded;
 
@@ -22,6 +23,16 @@ pub fn lines(report: &Report) -> String {
         text += &format!("the heading was looked for again at {} s\n", times(&report.restarts_s));
     }
     text
+}
+
+/// What a filter has found beside the motion, a line each.
+pub fn found(found: &[Found]) -> String {
+    let line = |Found { name, numbers }: &Found| {
+        let [numbers, sigmas] =
+            [0, 1].map(|i| numbers.iter().map(|one| rounded(one[i], 3)).collect::<Vec<_>>().join(", "));
+        format!("found: {name}: {numbers} (1σ {sigmas})\n")
+    };
+    found.iter().map(line).collect()
 }
 
 fn line(count: &Count) -> String {

@@ -2,7 +2,7 @@
 
 use super::{Span, allan, options};
 use clap::Args;
-use schuler_simulator::aided::fixes::Assumed;
+use schuler_simulator::aided::fixes::{Assumed, Velocities};
 use schuler_simulator::input::{Complaint, Range};
 use std::path::PathBuf;
 
@@ -19,6 +19,10 @@ pub struct AidingOptions {
     /// How late the stamps of --gnss are, seconds
     #[arg(long, value_name = "S", requires = "gnss", default_value = "0", allow_negative_numbers = true, value_parser = lag)]
     pub gnss_lag: f64,
+    /// How much later than the positions the velocities of --gnss are, seconds (0.125 of a receiver that tells the
+    /// mean over its 0.25 s); or "off", which leaves them out
+    #[arg(long, value_name = "S", requires = "gnss", default_value = "0", allow_negative_numbers = true, value_parser = velocities)]
+    pub velocity_lag: VelocityLag,
     /// Standard deviations where the file has none: positions level and down, m, velocities, m/s
     #[arg(long, value_name = "L,D,V", requires = "gnss", default_value = "3,5,0.3", value_parser = assumed)]
     pub gnss_sigma: Sigmas,
@@ -38,6 +42,16 @@ pub struct AidingOptions {
 /// The value of `--lever-arm`: forward, right, down, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeverArm(pub [f64; 3]);
+
+/// The value of `--velocity-lag`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VelocityLag(pub Velocities);
+
+impl Default for VelocityLag {
+    fn default() -> Self {
+        Self(Velocities::Late(0.0))
+    }
+}
 
 /// The value of `--gnss-sigma`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,6 +79,14 @@ fn lever(text: &str) -> Result<LeverArm, Complaint> {
 
 fn lag(text: &str) -> Result<f64, Complaint> {
     options::number(text, &Range::from_to(-1e10, 1e10, "seconds"))
+}
+
+fn velocities(text: &str) -> Result<VelocityLag, Complaint> {
+    let velocities = match text {
+        "off" => Velocities::Unused,
+        _ => Velocities::Late(options::number(text, &Range::from_to(-10.0, 10.0, "seconds, or off"))?),
+    };
+    Ok(VelocityLag(velocities))
 }
 
 fn assumed(text: &str) -> Result<Sigmas, Complaint> {

@@ -6,7 +6,7 @@ use crate::input::{Complaint, InputError, read_text};
 use crate::recording::instant::Scale;
 use crate::reference::{Fix, Track};
 use schuler::aiding::aided::instant::Instant;
-use schuler::aiding::aided::measured::Measured;
+use schuler::aiding::aided::measured::{Kind, Measured};
 use schuler::earth::Geodetic;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
@@ -31,6 +31,24 @@ pub struct Assumed {
     pub velocity_m_s: f64,
 }
 
+/// How late what a file tells is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Late {
+    /// Its stamps, s.
+    pub stamps_s: f64,
+    /// The velocities beside them.
+    pub velocities: Velocities,
+}
+
+/// What becomes of velocities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Velocities {
+    /// They were true so long before their stamps, s: a receiver may tell the mean since its last fix.
+    Late(f64),
+    /// They are no measurements.
+    Unused,
+}
+
 /// The measurements of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fixes {
@@ -43,12 +61,11 @@ pub struct Fixes {
 }
 
 impl Fixes {
-    /// From a file; `lag_s` is how late its stamps are. Times that are counted from an epoch become those of
-    /// the recording.
+    /// From a file. Times that are counted from an epoch become those of the recording.
     pub fn read(
         file: &str,
         epoch: Option<Epoch>,
-        lag_s: f64,
+        late: Late,
         assumed: &Assumed,
     ) -> Result<Self, InputError> {
         let text = read_text(file)?;
@@ -61,18 +78,13 @@ impl Fixes {
             let accepted = "a CSV with the columns of emulate --gnss (time_s, latitude_deg, …), an RTKLIB .pos, NMEA, GPX or KML";
             return Err(InputError::file(file, Complaint::new(what, accepted)));
         };
+        let rows = rows.into_iter().flat_map(|row| in_time(row, late).into_iter().flatten());
+        let rows: Vec<_> = rows.collect();
         if rows.is_empty() {
-            return Err(InputError::file(
-                file,
-                Complaint::new("has no measurement", "one or more"),
-            ));
+            let complaint = Complaint::new("has no measurement", "one or more");
+            return Err(InputError::file(file, complaint));
         }
-        let mut fixes = Self { name: file.to_owned(), rows, said };
-        for row in &mut fixes.rows {
-            row.time_s -= lag_s;
-            row.arrives_s -= lag_s;
-        }
-        Ok(fixes)
+        Ok(Self { name: file.to_owned(), rows, said })
     }
 
     /// An error about one of its lines.
@@ -85,6 +97,30 @@ impl Fixes {
         let mut fixes: Vec<_> = self.rows.iter().filter(|row| row.has_position()).collect();
         fixes.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
         fixes
+    }
+}
+
+/// What a row tells at the times when it was true.
+fn in_time(row: Told, Late { stamps_s, velocities }: Late) -> [Option<Told>; 2] {
+    let row =
+        Told { time_s: row.time_s - stamps_s, arrives_s: row.arrives_s - stamps_s, ..row };
+    let Measured { at, position, position_sigma, velocity, velocity_sigma, kind } = row.measured;
+    let alone = Measured::position(at, position, position_sigma);
+    let place = Told { measured: alone, course: row.north_east(), ..row };
+    match (kind, velocities) {
+        (Kind::PositionVelocity, Velocities::Late(late_s)) if late_s != 0.0 => {
+            let measured = Measured::velocity(at, velocity, velocity_sigma);
+            let moves = Told { measured, time_s: row.time_s - late_s, ..row };
+            let arrives_s = moves.arrives_s.max(moves.time_s);
+            [Some(Told { course: None, ..place }), Some(Told { arrives_s, ..moves })]
+        }
+        (Kind::Velocity, Velocities::Late(late_s)) => {
+            let time_s = row.time_s - late_s;
+            [Some(Told { time_s, arrives_s: row.arrives_s.max(time_s), ..row }), None]
+        }
+        (Kind::PositionVelocity, Velocities::Unused) => [Some(place), None],
+        (Kind::Velocity, Velocities::Unused) => [None, None],
+        _ => [Some(row), None],
     }
 }
 

@@ -51,6 +51,17 @@ pub trait Aids: Send {
     fn digest(&self) -> u64;
     /// What became of the measurements.
     fn report(&self) -> Report;
+    /// What the filter has found beside the motion.
+    fn found(&self) -> Vec<Found>;
+}
+
+/// Something that a filter has found beside the motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// What, with its unit.
+    pub name: &'static str,
+    /// Of each component: the number, and its standard deviation.
+    pub numbers: Vec<[f64; 2]>,
 }
 
 /// What an aided navigator is made of.
@@ -222,5 +233,27 @@ where
         let lockouts = Sensor::ALL.map(|sensor| self.state.tally(sensor).lockouts());
         let transport = *self.state.transport();
         Report::new(&self.seen.judged, &self.seen.restarts, lockouts, transport)
+    }
+
+    fn found(&self) -> Vec<Found> {
+        let (states, filter) = (&self.aided.settings().states, self.state.filter());
+        let sizes = [
+            ("lever arm forward, right, down, m", 3, states.lever_arm.is_some()),
+            ("latency, s", 1, states.latency.is_some()),
+            ("barometer bias, m", 1, states.barometer_bias.is_some()),
+            ("odometer scale", 1, states.odometer_scale.is_some()),
+        ];
+        let mut at = 0;
+        let there = sizes.into_iter().filter(|(_, _, is_there)| *is_there);
+        let found = there.map(|(name, size, _)| {
+            let places = at..at + size;
+            at += size;
+            let numbers = places.filter_map(|i| {
+                let variance = filter.covariance().covariance(15 + i, 15 + i);
+                Some([filter.extras().get(i)?.widen(), variance.widen().max(0.0).sqrt()])
+            });
+            Found { name, numbers: numbers.collect() }
+        });
+        found.collect()
     }
 }

@@ -1,6 +1,7 @@
 //! The flight of an aided replay.
 
 use super::given::Given;
+use super::grid::Grid;
 use super::rows::AidedRows;
 use super::start::{AT_REST, Beginning, GIVEN, How};
 use super::withheld::{self, Withheld};
@@ -34,6 +35,8 @@ struct Flying<'a> {
     vehicle: AidedVehicle,
     biases: Biases,
     rows: AidedRows,
+    /// Where samples are at times of their own.
+    grid: Option<Grid>,
     /// Stamps and ends of samples that wait in a block, s.
     ends_s: VecDeque<[f64; 2]>,
     integrated: u64,
@@ -82,8 +85,8 @@ pub fn fly(
             let accepted = "some between, by --time-tag, or by --gnss-lag, which shifts them";
             return Err(InputError::file(&given.fixes.name, Complaint::new(what, accepted)).into());
         }
-        let interval = survey.clock.interval();
-        let (rate_hz, initial) = (given.rate_hz, row.solution());
+        let Given { interval, rate_hz, .. } = *given;
+        let initial = row.solution();
         let made = Made { navigator: options, interval, rate_hz, settings: &settings };
         let navigator = navigator::begin(&made, &initial).map_err(blamed)?;
         let mcap = args.mcap.as_deref();
@@ -94,6 +97,7 @@ pub fn fly(
             vehicle: AidedVehicle::with(navigator, arriving, rate_hz),
             biases: refined.map(|refined| Biases::of(&refined.aligned)).unwrap_or_default(),
             rows: AidedRows::new((nav, keep), mcap, args.every, at, args.reference.is_some())?,
+            grid: (!given.is_even).then(|| Grid::new(begin_s, interval.hi)),
             ends_s: VecDeque::new(),
             integrated: 0,
             samples: 0,
@@ -155,6 +159,15 @@ fn blamed(error: InputError) -> InputError {
 
 impl Flies for Flying<'_> {
     fn take(&mut self, sample: &Sample) -> Result<(), FlightError> {
+        match &mut self.grid {
+            None => self.push(sample),
+            Some(grid) => grid.cut(sample).iter().try_for_each(|sample| self.push(sample)),
+        }
+    }
+}
+
+impl Flying<'_> {
+    fn push(&mut self, sample: &Sample) -> Result<(), FlightError> {
         self.ends_s.push_back([sample.time_s, sample.end_s]);
         self.samples += 1;
         self.vehicle.push(&self.biases.taken_off(sample)).map_err(|fault| {
@@ -178,9 +191,7 @@ impl Flies for Flying<'_> {
         self.before = (state.velocity_ned.map(|v| v.hi), end_s);
         Ok(())
     }
-}
 
-impl Flying<'_> {
     fn finish(mut self, start: Solution<f64>) -> Result<(Flight, String), FlightError> {
         self.vehicle.finish().map_err(|fault| {
             let complaint = Complaint::new(fault.to_string(), "");
@@ -191,6 +202,7 @@ impl Flying<'_> {
             self.rows.correct(&navigator.solution(), &navigator.covariance());
         }
         let mut text = crate::aided::lines(&self.vehicle.report());
+        text += &crate::aided::found(&navigator.found());
         if self.early > 0 {
             text += &format!("{} measurements are of times before the start\n", self.early);
         }

@@ -2,10 +2,11 @@
 
 use crate::cli::{LeverArm, ReplayArgs};
 use schuler::aiding::aided::settings::Settings;
-use schuler_simulator::aided::fixes::{Epoch, Fixes};
+use schuler::math::compensated::Pair;
+use schuler_simulator::aided::fixes::{Epoch, Fixes, Late};
 use schuler_simulator::aided::{settings, unit};
 use schuler_simulator::input::name::name_of;
-use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::input::InputError;
 use schuler_simulator::output::say;
 use schuler_simulator::recording::clock::Clock;
 use schuler_simulator::recording::instant::Scale;
@@ -23,8 +24,12 @@ pub struct Given {
     pub unit: Scene,
     /// The filter.
     pub settings: Settings<f64>,
-    /// Samples per second.
+    /// Samples per second, as they are filtered.
     pub rate_hz: f64,
+    /// Their interval, s.
+    pub interval: Pair<f64>,
+    /// Whether they are the recording's own.
+    pub is_even: bool,
 }
 
 /// Reads it and says what it is.
@@ -35,15 +40,17 @@ pub fn given(
     survey: &Survey,
 ) -> Result<Given, InputError> {
     let aiding = &args.aiding;
-    let Clock::Even { interval_s, .. } = survey.clock else {
-        let what = "needs samples of a constant rate, and the stamps of the recording tell none";
-        return Err(InputError::option(
-            "--gnss",
-            Complaint::new(what, "--rate HZ, which states it"),
-        ));
+    let usual_hz = (1.0 / survey.clock.interval_s()).round().max(1.0);
+    let is_even = matches!(survey.clock, Clock::Even { .. });
+    let (interval, rate_hz) = match survey.clock {
+        Clock::Even { interval_s, .. } if 1.0 / usual_hz != interval_s => {
+            (survey.clock.interval(), 1.0 / interval_s)
+        }
+        _ => (Pair::new(usual_hz).reciprocal(), usual_hz),
     };
-    let whole = (1.0 / interval_s).round();
-    let rate_hz = if 1.0 / whole == interval_s { whole } else { 1.0 / interval_s };
+    if !is_even {
+        say(&format!("samples at times of their own are cut to {usual_hz} Hz (--rate HZ, if they are even)\n"))?;
+    }
     let epoch = match &aiding.time_tag {
         None => recording.scale.map(|scale| Epoch { scale, ahead_s: 0.0 }),
         Some(tags) => {
@@ -58,7 +65,8 @@ pub fn given(
             Some(Epoch { scale: Scale::Gps, ahead_s: tied.ahead_s })
         }
     };
-    let fixes = Fixes::read(&name_of(gnss), epoch, aiding.gnss_lag, &aiding.gnss_sigma.0)?;
+    let late = Late { stamps_s: aiding.gnss_lag, velocities: aiding.velocity_lag.0 };
+    let fixes = Fixes::read(&name_of(gnss), epoch, late, &aiding.gnss_sigma.0)?;
     for line in &fixes.said {
         say(&format!("{line}\n"))?;
     }
@@ -75,5 +83,5 @@ pub fn given(
             words.join("; ").replace("];", "]").replace("; [", "\n  [")
         ))?;
     }
-    Ok(Given { fixes, unit, settings, rate_hz })
+    Ok(Given { fixes, unit, settings, rate_hz, interval, is_even })
 }

@@ -101,7 +101,7 @@ impl Withheld {
 
     fn line(&self) -> String {
         let [from_s, to_s] = self.span_s;
-        let span = format!("withheld {from_s} to {to_s} s, {} fixes", self.hidden);
+        let span = format!("withheld {from_s} to {to_s} s, {} measurements", self.hidden);
         match &self.found {
             None => format!("{span}: no position there to compare with\n"),
             Some(Off { error, sigma, nees }) => {

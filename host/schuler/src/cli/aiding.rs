@@ -26,6 +26,10 @@ pub struct AidingOptions {
     /// Standard deviations where the file has none: positions level and down, m, velocities, m/s
     #[arg(long, value_name = "L,D,V", requires = "gnss", default_value = "3,5,0.3", value_parser = assumed)]
     pub gnss_sigma: Sigmas,
+    /// Smooths the flight, too: what all fixes together say of every instant, with its standard deviations, goes to this
+    /// file
+    #[arg(long, value_name = "FILE", requires = "gnss")]
+    pub smooth: Option<PathBuf>,
     /// RTKLIB's time tags of the stream (.tag), which tie its stamps to GPS time
     #[arg(long, value_name = "FILE", requires = "gnss")]
     pub time_tag: Option<PathBuf>,

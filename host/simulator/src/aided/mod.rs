@@ -19,6 +19,7 @@ pub mod navigator;
 pub mod report;
 pub mod runs;
 pub mod settings;
+pub mod smoother;
 pub mod told;
 pub mod unit;
 pub mod vehicle;

@@ -2,6 +2,7 @@
 
 use super::report::{Judgement, Report};
 use super::settings;
+use super::smoother::{Smoothed, Steps};
 use crate::input::{Complaint, InputError};
 use crate::scene::{Algorithm, Axes, Navigator as Configuration, Precision, Scene};
 use schuler::aiding::aided::fault::AidedFault;
@@ -10,7 +11,8 @@ use schuler::aiding::aided::measured::{Measured, Sensor};
 use schuler::aiding::aided::navigator::Aided;
 use schuler::aiding::aided::settings::Settings;
 use schuler::aiding::aided::state::AidedState;
-use schuler::aiding::aided::verdict::{Verdict, Witness};
+use schuler::aiding::aided::verdict::{Step, Verdict, Witness};
+use schuler::aiding::covariance::ud::Ud;
 use schuler::digest::Digest;
 use schuler::flight::carried::Carried;
 use schuler::math::compensated::Pair;
@@ -51,6 +53,9 @@ pub trait Aids: Send {
     fn digest(&self) -> u64;
     /// What became of the measurements.
     fn report(&self) -> Report;
+    /// Its states as all measurements together say they were, where it is smoothed: after each step since the
+    /// filter last started. To be called after the end.
+    fn smoothed(&self) -> Vec<Smoothed>;
     /// What the filter has found beside the motion.
     fn found(&self) -> Vec<Found>;
 }
@@ -75,13 +80,17 @@ pub struct Made<'a> {
     pub rate_hz: f64,
     /// The filter.
     pub settings: &'a Settings<f64>,
+    /// Whether it is smoothed afterwards: then its steps are kept.
+    pub smoother: bool,
 }
 
 /// Starts the aided navigator of a scene.
 pub fn start(scene: &Scene, initial: &Solution<f64>) -> Result<Box<dyn Aids>, InputError> {
     let interval = Pair::new(scene.rate_hz).reciprocal();
     let (navigator, rate_hz) = (&scene.navigator, scene.rate_hz);
-    begin(&Made { navigator, interval, rate_hz, settings: &settings::of(scene) }, initial)
+    let smoother = scene.aiding.filter.smoother;
+    let made = Made { navigator, interval, rate_hz, settings: &settings::of(scene), smoother };
+    begin(&made, initial)
 }
 
 /// Starts one from a solution.
@@ -135,7 +144,7 @@ where
         state,
         carried: Carried::default(),
         digest: Digest::default(),
-        seen: Seen { rate_hz: made.rate_hz, judged: Vec::new(), restarts: Vec::new() },
+        seen: Seen { rate_hz: made.rate_hz, judged: Vec::new(), restarts: Vec::new(), steps: made.smoother.then(Steps::default) },
     }))
 }
 
@@ -156,6 +165,8 @@ struct Seen {
     judged: Vec<Judgement>,
     /// When the filter started again, s.
     restarts: Vec<f64>,
+    /// For a smoother.
+    steps: Option<Steps>,
 }
 
 impl<R: Scalar, const N: usize, const P: usize, const E: usize> Witness<R, N, P, E> for Seen {
@@ -165,7 +176,22 @@ impl<R: Scalar, const N: usize, const P: usize, const E: usize> Witness<R, N, P,
         self.judged.push(Judgement { time_s, kind, nis: nis.widen(), accepted, locked_out });
     }
 
+    fn stepped(&mut self, step: &Step<'_, R, N, P, E>) {
+        if let Some(steps) = &mut self.steps {
+            steps.add(step);
+        }
+    }
+
+    fn corrected(&mut self, _: u64, errors: &[R; N], _: &Ud<R, N, P>) {
+        if let Some(steps) = &mut self.steps {
+            steps.correct(errors);
+        }
+    }
+
     fn restarted(&mut self, samples: u64) {
+        if let Some(steps) = &mut self.steps {
+            steps.restart();
+        }
         self.restarts.push(samples as f64 / self.rate_hz);
     }
 }
@@ -181,6 +207,24 @@ fn narrowed<R: Scalar>(measured: &Measured<f64>) -> Measured<R> {
         velocity: velocity.map(of),
         position_sigma: position_sigma.map(of),
         velocity_sigma: velocity_sigma.map(of),
+    }
+}
+
+impl<R, M> Flying<M>
+where
+    R: Scalar + Real<Mask = bool>,
+    M: Mechanization<Real = R, Body = BodyMotion<R>>,
+{
+    /// Shows the state at the end of a block to a smoother.
+    fn reach(&mut self) {
+        let Self { aided, state, seen, .. } = self;
+        if let Some(steps) = &mut seen.steps {
+            steps.reach(state.integrated(), || {
+                let rows = aided.drift_rows(state);
+                let rows = rows.map(|row| std::array::from_fn(|i| row[i].widen()));
+                (aided.output(state).wide(), rows)
+            });
+        }
     }
 }
 
@@ -202,12 +246,14 @@ where
         self.aided.push_seen(&mut self.state, narrow, &mut self.seen)?;
         if self.state.integrated() != before {
             self.digest.add(M::frame(self.state.navigator()));
+            self.reach();
         }
         Ok(())
     }
 
     fn finish(&mut self) -> Result<(), AidedFault> {
         self.aided.finish(&mut self.state, &mut self.seen);
+        self.reach();
         self.digest.add(M::frame(self.state.navigator()));
         self.digest.add(self.state.filter());
         Ok(())
@@ -233,6 +279,14 @@ where
         let lockouts = Sensor::ALL.map(|sensor| self.state.tally(sensor).lockouts());
         let transport = *self.state.transport();
         Report::new(&self.seen.judged, &self.seen.restarts, lockouts, transport)
+    }
+
+    fn smoothed(&self) -> Vec<Smoothed> {
+        let Some(steps) = &self.seen.steps else { return Vec::new() };
+        let ud = self.state.filter().covariance();
+        let cells = (0..STATES).flat_map(|i| (0..=i).map(move |j| (i, j)));
+        let end: Vec<f64> = cells.map(|(i, j)| ud.covariance(i, j).widen()).collect();
+        steps.smoothed(&end)
     }
 
     fn found(&self) -> Vec<Found> {

@@ -2,7 +2,7 @@
 
 use super::given::Given;
 use super::grid::Grid;
-use super::rows::AidedRows;
+use super::rows::{AidedRows, write};
 use super::start::{AT_REST, Beginning, GIVEN, How};
 use super::withheld::{self, Withheld};
 use crate::cli::Span;
@@ -17,6 +17,7 @@ use schuler::math::vector::Vector;
 use schuler::solution::Solution;
 use schuler_simulator::aided::measurements::Arriving;
 use schuler_simulator::aided::navigator::{self, Made};
+use schuler_simulator::aided::smoother;
 use schuler_simulator::aided::unit;
 use schuler_simulator::aided::vehicle::AidedVehicle;
 use schuler_simulator::input::{Complaint, InputError};
@@ -45,6 +46,8 @@ struct Flying<'a> {
     before: (Vector<f64>, f64),
     withheld: Vec<Withheld>,
     lever_b: Vector<f64>,
+    /// When it begins, s, and samples per second.
+    began: (f64, f64),
     /// Measurements of times before the start.
     early: usize,
 }
@@ -87,12 +90,18 @@ pub fn fly(
         }
         let Given { interval, rate_hz, .. } = *given;
         let initial = row.solution();
-        let made = Made { navigator: options, interval, rate_hz, settings: &settings };
+        let smoother = args.aiding.smooth.is_some();
+        if smoother {
+            smoother::check(end_s - begin_s, settings.step_s, arriving.len())
+                .map_err(|complaint| InputError::option("--smooth", complaint))?;
+        }
+        let made = Made { navigator: options, interval, rate_hz, settings: &settings, smoother };
         let navigator = navigator::begin(&made, &initial).map_err(blamed)?;
         let mcap = args.mcap.as_deref();
         let at = (spans.navigate_s, initial);
         Ok(Flying {
             recording,
+            began: (begin_s, rate_hz),
             early: told.len() - arriving.len(),
             vehicle: AidedVehicle::with(navigator, arriving, rate_hz),
             biases: refined.map(|refined| Biases::of(&refined.aligned)).unwrap_or_default(),
@@ -107,7 +116,8 @@ pub fn fly(
         })
     })?;
     let Flown { flying, start, bridged, outside } = flown;
-    let (flight, text) = flying.finish(start.solution())?;
+    let smooth = args.aiding.smooth.as_deref();
+    let (flight, text) = flying.finish(start.solution(), smooth)?;
     Ok((Flight { bridged, outside, ..flight }, text))
 }
 
@@ -192,7 +202,11 @@ impl Flying<'_> {
         Ok(())
     }
 
-    fn finish(mut self, start: Solution<f64>) -> Result<(Flight, String), FlightError> {
+    fn finish(
+        mut self,
+        start: Solution<f64>,
+        smooth: Option<&Path>,
+    ) -> Result<(Flight, String), FlightError> {
         self.vehicle.finish().map_err(|fault| {
             let complaint = Complaint::new(fault.to_string(), "");
             FlightError::Stopped(InputError::file(&self.recording.name, complaint))
@@ -210,7 +224,13 @@ impl Flying<'_> {
         let digest = navigator.digest();
         let (neglected, last, samples) =
             (self.rows.highest.neglected(), self.rows.last, self.samples);
-        let Finished { files: nav, track, kept: rows } = self.rows.finish()?;
+        let Finished { files: mut nav, track, kept: rows } = self.rows.finish()?;
+        if let Some(smooth) = smooth {
+            let smoothed = navigator.smoothed();
+            let (begin_s, rate_hz) = self.began;
+            nav.push(write(smooth, &smoothed, |samples| begin_s + samples as f64 / rate_hz)?);
+            text += &format!("smoothed {} states, written to {}\n", smoothed.len(), smooth.display());
+        }
         let (bridged, outside) = (Default::default(), (0, None));
         let flight =
             Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };

@@ -3,11 +3,12 @@
 use crate::replay::rows::Finished;
 use crate::report::every::{Every, Sieve};
 use schuler::solution::Solution;
+use schuler_simulator::aided::smoother::Smoothed;
 use schuler_simulator::flight::Nine;
 use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::high::Highest;
 use schuler_simulator::input::InputError;
-use schuler_simulator::output::NumberTable;
+use schuler_simulator::output::{NumberTable, OutputFile};
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
 use schuler_simulator::recording::track::Track;
 use schuler_simulator::units::ARCSECOND;
@@ -79,14 +80,7 @@ impl AidedRows {
     /// The last row once more, corrected.
     pub fn correct(&mut self, state: &Solution<f64>, covariance: &[[f64; 9]; 9]) {
         self.last.1 = *state;
-        let columns = NavigationRow::new(self.last.0, state).columns();
-        let unit = |i: usize| if i < 6 { 1.0 } else { ARCSECOND };
-        let mut row = [0.0; WIDTH];
-        let sigmas = (0..9).map(|i| covariance[i][i].sqrt() / unit(i));
-        for (cell, number) in row.iter_mut().zip(columns.into_iter().chain(sigmas)) {
-            *cell = number;
-        }
-        self.waits = Some(row);
+        self.waits = Some(numbers(self.last.0, state, covariance));
     }
 
     fn write(&mut self) -> Result<(), InputError> {
@@ -107,4 +101,34 @@ impl AidedRows {
         files.extend(self.messages.map(McapWriter::into_file).transpose()?);
         Ok(Finished { files, track: self.track, kept: self.kept.unwrap_or_default() })
     }
+}
+
+/// Writes smoothed states, each at a time that is a function of its samples.
+pub fn write(
+    out: &Path,
+    smoothed: &[Smoothed],
+    time_s: impl Fn(u64) -> f64,
+) -> Result<OutputFile, InputError> {
+    let columns: Vec<_> = COLUMNS.into_iter().chain(Nine::SIGMAS).collect();
+    let mut table = NumberTable::create(out, &columns)?;
+    for Smoothed { samples, solution, covariance, .. } in smoothed {
+        table.row(&numbers(time_s(*samples), solution, covariance))?;
+    }
+    Ok(table.into_file())
+}
+
+/// A row: the state, and standard deviations, those of attitude in seconds of arc.
+fn numbers(
+    time_s: f64,
+    state: &Solution<f64>,
+    covariance: &[[f64; 9]; 9],
+) -> [f64; WIDTH] {
+    let columns = NavigationRow::new(time_s, state).columns();
+    let unit = |i: usize| if i < 6 { 1.0 } else { ARCSECOND };
+    let mut row = [0.0; WIDTH];
+    let sigmas = (0..9).map(|i| covariance[i][i].max(0.0).sqrt() / unit(i));
+    for (cell, number) in row.iter_mut().zip(columns.into_iter().chain(sigmas)) {
+        *cell = number;
+    }
+    row
 }

@@ -211,6 +211,7 @@ fn filtering(section: &Section<'_>) -> Result<Filtering, InputError> {
             .get("lockout")
             .map_or(Ok(usual.lockout), |value| value.choice(LOCKOUTS))?,
         horizon_s: read(&keys::HORIZON)?,
+        smoother: section.get("smoother").map_or(Ok(false), |value| value.truth("true, false"))?,
         start: [
             read(&keys::START_POSITION)?,
             read(&keys::START_VELOCITY)?,

@@ -140,7 +140,10 @@ fn what_is_withheld_is_compared_with_the_navigator() {
             assert!((a - b).abs() < 0.02 + 0.01 * b.abs(), "{off:?} {told:?}\n{said}");
         }
     }
-    assert!(said.contains("20 to 50.5 s, 31 measurements") && said.contains("2 spans together"), "{said}");
+    assert!(
+        said.contains("20 to 50.5 s, 31 measurements") && said.contains("2 spans together"),
+        "{said}"
+    );
     assert!(said.contains("gnss: 38 taken, 0 refused"), "{said}");
 }
 
@@ -307,17 +310,131 @@ fn what_cannot_be_is_told_with_its_place() {
     fs::write(folder.join("still.csv"), still.collect::<String>()).unwrap();
     let (_, _, errors) = ended(folder, "replay --imu imu.csv --gnss still.csv --out n.csv");
     assert!(errors.contains("--initial: is missing, and no two fixes"), "{errors}");
-    // Samples at times of their own.
-    let imu = fs::read_to_string(folder.join("imu.csv")).unwrap();
-    let jittered = imu.lines().enumerate().map(|(n, line)| match line.split_once(',') {
-        Some((time, rest)) if n > 0 => {
-            let time: f64 = time.parse().unwrap();
-            format!("{},{rest}\n", time + 1.37e-3 * f64::from(n as u32 % 3))
+}
+
+#[test]
+fn samples_at_times_of_their_own_are_cut() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    schuler(
+        folder,
+        "emulate aided-drive --duration 60 --out imu.csv --gnss gnss.csv --truth truth.csv",
+    );
+    // Every third sample lasts longer, and holds what falls into it.
+    let imu = rows(&folder.join("imu.csv"));
+    let mut text =
+        fs::read_to_string(folder.join("imu.csv")).unwrap().lines().next().unwrap().to_owned()
+            + "\n";
+    for three in imu.chunks_exact(3) {
+        let joined = (1..7).map(|i| three[0][i] + three[1][i]);
+        let joined: Vec<_> = joined.map(|x| x.to_string()).collect();
+        text += &format!("{},{}\n", three[1][0], joined.join(","));
+        let last: Vec<_> = three[2].iter().map(f64::to_string).collect();
+        text += &(last.join(",") + "\n");
+    }
+    fs::write(folder.join("uneven.csv"), text).unwrap();
+    // Nothing tells where its first sample begins: a fix does for the start.
+    let from = "--sensors aided-drive --gnss gnss.csv";
+    let said = schuler(folder, &format!("replay --imu uneven.csv {from} --out nav.csv"));
+    assert!(said.contains("samples at times of their own are cut to 67 Hz"), "{said}");
+    assert!(said.contains(" 0 refused"), "{said}");
+    let (cut, truth) = (rows(&folder.join("nav.csv")), rows(&folder.join("truth.csv")));
+    let last = &cut[cut.len() - 2];
+    let off = |row: &&Vec<f64>| (row[0] - last[0]).abs();
+    let other = truth.iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
+    let time_s = last[0] - other[0];
+    assert!(last[0] > 59.9 && time_s.abs() <= 0.0051, "{last:?} {other:?}");
+    let apart = apart(other, last);
+    for i in 0..3 {
+        let moved = other[4 + i] * time_s;
+        let (error, sigma) = (apart[i] - moved, last[10 + i]);
+        assert!(error.abs() < 4.0 * sigma && sigma < 1.0, "{apart:?} {last:?} {other:?}");
+        let (error, sigma) = (last[4 + i] - other[4 + i], last[13 + i]);
+        assert!(error.abs() < 4.0 * sigma + 0.05 && sigma < 0.2, "{last:?} {other:?}");
+    }
+}
+
+#[test]
+fn late_velocities_are_taken_at_their_time_or_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    schuler(folder, "emulate aided-drive --duration 60 --out imu.csv --gnss gnss.csv");
+    let nav = |options: &str| {
+        let said = schuler(folder, &format!("replay {FROM} {options} --out nav.csv"));
+        (said, rows(&folder.join("nav.csv")))
+    };
+    let (_, own) = nav("--gnss gnss.csv");
+    // Velocities in rows of their own, with stamps that are half a second late.
+    let gnss = fs::read_to_string(folder.join("gnss.csv")).unwrap();
+    let mut lines: Vec<String> = gnss.lines().map(str::to_owned).collect();
+    let header = lines.remove(0);
+    let mut text = header + "\n";
+    for line in &lines {
+        let mut place: Vec<_> = line.split(',').collect();
+        let mut moves = place.clone();
+        let late = (place[0].parse::<f64>().unwrap() + 0.5).to_string();
+        (moves[0], moves[1], moves[2]) = (&late, &late, "velocity");
+        for i in [3, 4, 5, 10, 11, 12] {
+            moves[i] = "";
         }
-        _ => format!("{line}\n"),
-    });
-    fs::write(folder.join("uneven.csv"), jittered.collect::<String>()).unwrap();
-    let line = "replay --imu uneven.csv --sensors aided-drive --initial initial.toml --gnss gnss.csv --out n.csv";
-    let (_, _, errors) = ended(folder, line);
-    assert!(errors.contains("--gnss: needs samples of a constant rate"), "{errors}");
+        place[2] = "position";
+        for i in [6, 7, 8, 13, 14, 15] {
+            place[i] = "";
+        }
+        text += &(place.join(",") + "\n" + &moves.join(",") + "\n");
+    }
+    fs::write(folder.join("late.csv"), text).unwrap();
+    let (said, late) = nav("--gnss late.csv --velocity-lag 0.5");
+    assert!(said.contains("gnss: 119 taken, 0 refused"), "{said}");
+    let (ours, other) = (&own[own.len() - 2], at(&late, own[own.len() - 2][0]));
+    // The same measurements, in two vectors for one; the last velocity comes after the end.
+    assert!(norm(apart(ours, other)) < 1e-3, "{ours:?} {other:?}");
+    let (said, without) = nav("--gnss gnss.csv --velocity-lag off");
+    assert!(said.contains("gnss: 60 taken"), "{said}");
+    let sigma = |rows: &[Vec<f64>]| rows[rows.len() - 2][13];
+    assert!(sigma(&without) > 1.5 * sigma(&own), "velocities still count");
+}
+
+#[test]
+fn a_smoothed_replay_is_what_the_smoothed_run_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let scene = schuler(folder, "scenes aided-drive") + "\n[filter]\nsmoother = true\n";
+    fs::write(folder.join("smooth.toml"), scene).unwrap();
+    let run = schuler(folder, "run smooth.toml --no-report --out run");
+    let line = run.lines().find(|line| line.starts_with("smoothed, ")).unwrap();
+    let numbers: Vec<f64> =
+        line.split([' ', ',', ';']).filter_map(|word| word.parse().ok()).collect();
+    let [states, from_s, to_s, off_m, filtered_m, sigma_m, most_m, nees, _] = numbers[..] else {
+        panic!("{line}")
+    };
+    assert!(states >= 5000.0 && from_s < 0.2 && to_s > 599.9, "{line}");
+    // What theory says of all measurements: 0.42 m at most in the minute without fixes.
+    assert!(off_m < filtered_m && sigma_m < 0.3, "{line}");
+    assert!(most_m < 1.5 && (0.3..3.0).contains(&nees), "{line}");
+    // The same files by replay.
+    schuler(folder, "emulate aided-drive --out imu.csv --gnss gnss.csv --truth truth.csv");
+    let said =
+        schuler(folder, &format!("replay {FROM} --gnss gnss.csv --smooth s.csv --out nav.csv"));
+    assert!(said.contains("smoothed ") && said.contains("s.csv"), "{said}");
+    let (smoothed, truth) = (rows(&folder.join("s.csv")), rows(&folder.join("truth.csv")));
+    let steady = |row: &&Vec<f64>| (120.0..=400.0).contains(&row[0]);
+    let mean = |sum: f64| (sum / smoothed.iter().filter(steady).count() as f64).sqrt();
+    let variance = |row: &Vec<f64>| row[10..13].iter().map(|x| x * x).sum::<f64>();
+    let claimed = mean(smoothed.iter().filter(steady).map(variance).sum());
+    let outage = smoothed.iter().filter(|row| (400.0..=460.0).contains(&row[0]));
+    let worst = outage.map(|row| variance(row).sqrt()).fold(0.0, f64::max);
+    assert!((claimed / 0.213 - 1.0).abs() < 0.05, "{claimed} m");
+    assert!((worst / 0.42 - 1.0).abs() < 0.1, "{worst} m");
+    let off =
+        smoothed.iter().filter(steady).map(|row| norm(apart(at(&truth, row[0]), row)).powi(2));
+    let off = mean(off.sum());
+    assert!((0.5..1.6).contains(&(off / claimed)), "{off} m where {claimed} m is claimed");
+    // More steps than memory holds are refused before the flight.
+    let long = schuler(folder, "scenes aided-drive")
+        .replace("duration_s = 600", "duration_s = 500000")
+        + "\n[filter]\nsmoother = true\n";
+    fs::write(folder.join("long.toml"), long).unwrap();
+    let (code, _, errors) = ended(folder, "run long.toml --no-report --out long");
+    assert!(code != Some(0) && errors.contains("GiB of memory"), "{errors}");
 }

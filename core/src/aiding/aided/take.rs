@@ -153,7 +153,10 @@ where
             velocity_sigma: surely(measured.velocity_sigma),
             ..*measured
         };
-        consider(&mut { *filter }, path, expected, &sure, R::of(1e30)).errors
+        let mut errors = consider(&mut { *filter }, path, expected, &sure, R::of(1e30)).errors;
+        // Lever arm, latency and the like do not leave what they were.
+        errors.iter_mut().skip(FIRST_EXTRA).for_each(|x| *x = R::ZERO);
+        errors
     }
 
     /// After a lockout: errors that would explain the last measurement become an uncertainty.

@@ -29,8 +29,8 @@ pub fn lines(report: &Report) -> String {
 /// What a filter has found beside the motion, a line each.
 pub fn found(found: &[Found]) -> String {
     let line = |Found { name, numbers }: &Found| {
-        let [numbers, sigmas] =
-            [0, 1].map(|i| numbers.iter().map(|one| rounded(one[i], 3)).collect::<Vec<_>>().join(", "));
+        let [numbers, sigmas] = [0, 1]
+            .map(|i| numbers.iter().map(|one| rounded(one[i], 3)).collect::<Vec<_>>().join(", "));
         format!("found: {name}: {numbers} (1σ {sigmas})\n")
     };
     found.iter().map(line).collect()

@@ -88,7 +88,10 @@ fn lag(text: &str) -> Result<f64, Complaint> {
 fn velocities(text: &str) -> Result<VelocityLag, Complaint> {
     let velocities = match text {
         "off" => Velocities::Unused,
-        _ => Velocities::Late(options::number(text, &Range::from_to(-10.0, 10.0, "seconds, or off"))?),
+        _ => Velocities::Late(options::number(
+            text,
+            &Range::from_to(-10.0, 10.0, "seconds, or off"),
+        )?),
     };
     Ok(VelocityLag(velocities))
 }

@@ -102,8 +102,7 @@ impl Fixes {
 
 /// What a row tells at the times when it was true.
 fn in_time(row: Told, Late { stamps_s, velocities }: Late) -> [Option<Told>; 2] {
-    let row =
-        Told { time_s: row.time_s - stamps_s, arrives_s: row.arrives_s - stamps_s, ..row };
+    let row = Told { time_s: row.time_s - stamps_s, arrives_s: row.arrives_s - stamps_s, ..row };
     let Measured { at, position, position_sigma, velocity, velocity_sigma, kind } = row.measured;
     let alone = Measured::position(at, position, position_sigma);
     let place = Told { measured: alone, course: row.north_east(), ..row };

@@ -144,7 +144,12 @@ where
         state,
         carried: Carried::default(),
         digest: Digest::default(),
-        seen: Seen { rate_hz: made.rate_hz, judged: Vec::new(), restarts: Vec::new(), steps: made.smoother.then(Steps::default) },
+        seen: Seen {
+            rate_hz: made.rate_hz,
+            judged: Vec::new(),
+            restarts: Vec::new(),
+            steps: made.smoother.then(Steps::default),
+        },
     }))
 }
 

@@ -35,10 +35,8 @@ pub fn check(duration_s: f64, step_s: f64, measurements: usize) -> Result<(), Co
         return Ok(());
     }
     let gigabytes = |bytes: f64| bytes / f64::from(1 << 30);
-    let what = format!(
-        "a smoother of {steps:.0} steps takes {:.1} GiB of memory",
-        gigabytes(bytes)
-    );
+    let what =
+        format!("a smoother of {steps:.0} steps takes {:.1} GiB of memory", gigabytes(bytes));
     let accepted = format!("a flight that takes {} GiB at most", gigabytes(MOST_BYTES as f64));
     Err(Complaint::new(what, accepted))
 }
@@ -216,9 +214,8 @@ fn back(step: &Past, s: &[f64], p: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
     // A by rows: P₁⁻·a = Φ·p, p a row of P⁺
     let gain: Vec<Vec<f64>> = (0..n)
         .map(|i| {
-            let across = (0..n).map(|j| {
-                (0..n).map(|k| transition[j * n + k] * at(before, i, k)).sum::<f64>()
-            });
+            let across = (0..n)
+                .map(|j| (0..n).map(|k| transition[j * n + k] * at(before, i, k)).sum::<f64>());
             solve(&lower, across.collect(), n)
         })
         .collect();

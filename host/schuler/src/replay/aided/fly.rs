@@ -229,7 +229,8 @@ impl Flying<'_> {
             let smoothed = navigator.smoothed();
             let (begin_s, rate_hz) = self.began;
             nav.push(write(smooth, &smoothed, |samples| begin_s + samples as f64 / rate_hz)?);
-            text += &format!("smoothed {} states, written to {}\n", smoothed.len(), smooth.display());
+            text +=
+                &format!("smoothed {} states, written to {}\n", smoothed.len(), smooth.display());
         }
         let (bridged, outside) = (Default::default(), (0, None));
         let flight =

@@ -5,8 +5,8 @@ use schuler::aiding::aided::settings::Settings;
 use schuler::math::compensated::Pair;
 use schuler_simulator::aided::fixes::{Epoch, Fixes, Late};
 use schuler_simulator::aided::{settings, unit};
-use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::InputError;
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::output::say;
 use schuler_simulator::recording::clock::Clock;
 use schuler_simulator::recording::instant::Scale;
@@ -49,7 +49,9 @@ pub fn given(
         _ => (Pair::new(usual_hz).reciprocal(), usual_hz),
     };
     if !is_even {
-        say(&format!("samples at times of their own are cut to {usual_hz} Hz (--rate HZ, if they are even)\n"))?;
+        say(&format!(
+            "samples at times of their own are cut to {usual_hz} Hz (--rate HZ, if they are even)\n"
+        ))?;
     }
     let epoch = match &aiding.time_tag {
         None => recording.scale.map(|scale| Epoch { scale, ahead_s: 0.0 }),

@@ -118,11 +118,7 @@ pub fn write(
 }
 
 /// A row: the state, and standard deviations, those of attitude in seconds of arc.
-fn numbers(
-    time_s: f64,
-    state: &Solution<f64>,
-    covariance: &[[f64; 9]; 9],
-) -> [f64; WIDTH] {
+fn numbers(time_s: f64, state: &Solution<f64>, covariance: &[[f64; 9]; 9]) -> [f64; WIDTH] {
     let columns = NavigationRow::new(time_s, state).columns();
     let unit = |i: usize| if i < 6 { 1.0 } else { ARCSECOND };
     let mut row = [0.0; WIDTH];

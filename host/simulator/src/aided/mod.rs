@@ -8,6 +8,7 @@
 //! | [`settings`] | the filter for a scene |
 //! | [`unit`] | what is known of a recording's sensors |
 //! | [`navigator`] | the core's aided navigators behind one interface |
+//! | [`seen`], [`smoother`] | its verdicts and steps, and what all measurements together say of them |
 //! | [`vehicle`] | one run's navigator with its measurements |
 //! | [`runs`] | many runs: their errors beside what their filters say |
 //! | [`report`] | what became of them |
@@ -18,6 +19,7 @@ pub mod measurements;
 pub mod navigator;
 pub mod report;
 pub mod runs;
+pub mod seen;
 pub mod settings;
 pub mod smoother;
 pub mod told;

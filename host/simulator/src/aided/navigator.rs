@@ -1,6 +1,7 @@
 //! The core's aided navigators behind one interface: frame and precision are chosen at run time.
 
-use super::report::{Judgement, Report};
+use super::report::Report;
+use super::seen::Seen;
 use super::settings;
 use super::smoother::{Smoothed, Steps};
 use crate::input::{Complaint, InputError};
@@ -11,8 +12,6 @@ use schuler::aiding::aided::measured::{Measured, Sensor};
 use schuler::aiding::aided::navigator::Aided;
 use schuler::aiding::aided::settings::Settings;
 use schuler::aiding::aided::state::AidedState;
-use schuler::aiding::aided::verdict::{Step, Verdict, Witness};
-use schuler::aiding::covariance::ud::Ud;
 use schuler::digest::Digest;
 use schuler::flight::carried::Carried;
 use schuler::math::compensated::Pair;
@@ -162,43 +161,6 @@ struct Flying<M: Mechanization> {
     carried: Carried,
     digest: Digest,
     seen: Seen,
-}
-
-/// What is seen of the filter.
-struct Seen {
-    rate_hz: f64,
-    judged: Vec<Judgement>,
-    /// When the filter started again, s.
-    restarts: Vec<f64>,
-    /// For a smoother.
-    steps: Option<Steps>,
-}
-
-impl<R: Scalar, const N: usize, const P: usize, const E: usize> Witness<R, N, P, E> for Seen {
-    fn judged(&mut self, verdict: &Verdict<R>) {
-        let &Verdict { at, kind, nis, accepted, locked_out, .. } = verdict;
-        let time_s = (at.samples as f64 + at.part.widen()) / self.rate_hz;
-        self.judged.push(Judgement { time_s, kind, nis: nis.widen(), accepted, locked_out });
-    }
-
-    fn stepped(&mut self, step: &Step<'_, R, N, P, E>) {
-        if let Some(steps) = &mut self.steps {
-            steps.add(step);
-        }
-    }
-
-    fn corrected(&mut self, _: u64, errors: &[R; N], _: &Ud<R, N, P>) {
-        if let Some(steps) = &mut self.steps {
-            steps.correct(errors);
-        }
-    }
-
-    fn restarted(&mut self, samples: u64) {
-        if let Some(steps) = &mut self.steps {
-            steps.restart();
-        }
-        self.restarts.push(samples as f64 / self.rate_hz);
-    }
 }
 
 /// A measurement in other digits.

@@ -9,7 +9,7 @@ use crate::state::State;
 use crate::table::{Rows, Table};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use schuler_host::cli::{Height, Lag, ReplayArgs};
+use schuler_host::cli::{AidingOptions, Height, Lag, ReplayArgs};
 use schuler_host::replay::{Replayed, fly};
 use schuler_simulator::input::Range;
 use schuler_simulator::output::heard::overheard;
@@ -153,6 +153,7 @@ fn start(given: &Bound<'_, PyAny>, folder: &TempDir) -> Answer<PathBuf> {
 /// The options of the command line.
 fn arguments(folder: &Path, given: Option<&Bound<'_, PyDict>>) -> Answer<ReplayArgs> {
     let mut args = ReplayArgs {
+        aiding: AidingOptions::default(),
         imu: PathBuf::new(),
         map: None,
         columns: None,

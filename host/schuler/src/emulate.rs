@@ -1,7 +1,10 @@
 //! `schuler emulate`: the sensor samples of a scene as a file, with the start and the truth beside it.
 
 use crate::cli::EmulateArgs;
+use schuler_simulator::aided::columns::MeasurementWriter;
+use schuler_simulator::aided::measurements;
 use schuler_simulator::formats::mcap::{McapWriter, Motion};
+use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::output::{self, OutputFile, much, say};
 use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow, NavigationWriter};
@@ -24,6 +27,8 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
         files.push(initial(&path, &scene, &source, args.number)?);
     }
     let mut truth = args.truth.as_ref().map(NavigationWriter::create).transpose()?;
+    let gnss =
+        args.gnss.as_ref().map(|path| gnss(path, &scene, &source, args.number)).transpose()?;
     announce(args, &scene);
     let mut messages = args.mcap.as_ref().map(McapWriter::create).transpose()?;
     let mut write_truth = |messages: &mut Option<McapWriter>, sample: u64| {
@@ -59,6 +64,7 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
         progress.reach(sample);
     }
     progress.finish();
+    files.extend(gnss);
     files.extend(truth.map(NavigationWriter::into_file));
     files.extend(messages.map(McapWriter::into_file).transpose()?);
     let beside = files.iter().map(|file| format!(", {}", file.path().display()));
@@ -69,6 +75,23 @@ pub fn emulate(args: &EmulateArgs) -> Result<(), FlightError> {
     let lost = if lost > 0 { format!(", {lost} lost on the link") } else { String::new() };
     say(&format!("{written} samples written to {}{beside}{lost}\n", args.out.display()))?;
     Ok(())
+}
+
+/// What the sensors of a run that aid its navigator deliver, in the order of arrival.
+fn gnss(path: &Path, scene: &Scene, source: &Source, run: u64) -> Result<OutputFile, FlightError> {
+    if !scene.aiding.is_there() {
+        let what = format!("{} has no sensor that aids navigation", scene.name);
+        let accepted =
+            "a scene with [gnss], [barometer], [odometer], [zero_velocity] or [non_holonomic]";
+        return Err(InputError::option("--gnss", Complaint::new(what, accepted)).into());
+    }
+    let mut writer = MeasurementWriter::create(path)?;
+    for (arrives_s, measured) in measurements::of_run(scene, source, run) {
+        let time_s = (measured.at.samples as f64 + measured.at.part) / scene.rate_hz;
+        // What arrives in time arrives then to the last bit.
+        writer.row(time_s, arrives_s.max(time_s), &measured)?;
+    }
+    Ok(writer.into_file())
 }
 
 /// The state that a run's navigation starts from, off by what the scene says.

@@ -8,6 +8,7 @@
 //! | `recording`, `rest` | what recordings may say, and what contradicts itself |
 //! | `reference` | positions that others measured |
 //! | `aided` | scenes aided by satellites, wheels, a barometer |
+//! | `aided_replay` | recordings flown with fixes |
 //! | `align` | level and north by runs of a scene and by recordings |
 //! | `allan` | sensors by their Allan deviation, and by their data sheets |
 //! | `audit` | chains, recorded and compared |
@@ -21,6 +22,7 @@
 //! | `stress`, `stochastic` | numerical stability, and the scalar that rounds at random |
 
 mod aided;
+mod aided_replay;
 mod align;
 mod allan;
 mod audit;

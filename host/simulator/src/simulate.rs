@@ -11,6 +11,8 @@ pub use log::{Log, largest};
 use riding::{Claims, Riding};
 pub use vehicle::Vehicle;
 
+use crate::aided::report::Report;
+use crate::aided::smoother;
 use crate::aided::vehicle::AidedVehicle;
 use crate::alignment::begin::{Beginning, begin};
 use crate::alignment::outcome::Outcome;
@@ -201,7 +203,12 @@ impl<'a> Simulation<'a> {
             outside,
             link: None,
             aligned,
-            aided: claims.and_then(|claims| claims.report.take()),
+            aided: claims.and_then(|claims| {
+                let smoothed = claims.smoothed.take();
+                let truth = |samples| source.truth(samples);
+                let compared = smoother::compared(&smoothed, scene.rate_hz, truth);
+                claims.report.take().map(|report| Report { smoothed: compared, ..report })
+            }),
         };
         Ok((flight, end.map_or(Ok(()), |(_, error)| Err(error))))
     }

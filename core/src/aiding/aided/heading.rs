@@ -124,7 +124,13 @@ where
         }
         let [_, _, down] = Pose::of(&solution).body_to_ned.rows;
         let found = if fits {
-            state.search.judge(state.filter.sigma_about(down))
+            let sigma = state.filter.sigma_about(down);
+            let found = state.search.judge(sigma);
+            // Poor gyros never know it five times better.
+            if found == Found::Going {
+                state.search.settle(sigma);
+            }
+            found
         } else {
             // Half a turn off, a linear filter sees no need to turn.
             Found::Again(self.settings.start.heading_rad)

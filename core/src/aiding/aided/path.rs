@@ -44,24 +44,17 @@ impl<R: Scalar, const N: usize, const E: usize, const L: usize> Path<'_, R, N, E
     }
 }
 
-/// Takes rows to the present and judges them. The second result is the innovation as errors of position and
-/// velocity.
+/// Takes rows to the present and judges them.
 pub fn judge<R, const N: usize, const P: usize, const E: usize, const L: usize, const K: usize>(
     filter: &mut Filter<R, N, P, E>,
     path: &Path<'_, R, N, E, L>,
     rows: Rows<R, N, K>,
     limit: R,
-) -> (Judged<R, N>, [R; N])
+) -> Judged<R, N>
 where
     R: Scalar + Real<Mask = bool>,
 {
-    let mut along = [R::ZERO; N];
-    for (row, y) in rows.rows.iter().zip(rows.innovation) {
-        for (cell, h) in along.iter_mut().zip(row).take(6) {
-            *cell = *cell + *h * y;
-        }
-    }
     let mut rows = rows;
     path.carry(&mut rows);
-    (filter.measure(&rows, limit), along)
+    filter.measure(&rows, limit)
 }

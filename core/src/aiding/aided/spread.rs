@@ -15,8 +15,8 @@ where
     R: Scalar + Real<Mask = bool>,
     M: Mechanization<Real = R, Body = BodyMotion<R>>,
 {
-    /// Rows that make the drift at the end of the last block from the errors.
-    fn drift_rows(&self, state: &AidedState<M, N, P, E, L, Q>) -> [[R; N]; 9] {
+    /// Rows that make the drift at the end of the last block from the errors, in the order of [`Self::covariance_ned`].
+    pub fn drift_rows(&self, state: &AidedState<M, N, P, E, L, Q>) -> [[R; N]; 9] {
         let solution = self.solution(state);
         let pose = Pose::of(&solution);
         let here = state.reference.locality(&solution.position).here;

@@ -65,8 +65,9 @@ where
         let searching = state.search.goes_on();
         let believed = searching && measured.sensor() == Sensor::Gnss;
         let limit = if believed { R::of(1e30) } else { usual };
-        let (judged, along) = consider(&mut filter, &path, &expected, measured, limit);
+        let judged = consider(&mut filter, &path, &expected, measured, limit);
         let fits = judged.nis < usual;
+        let doubted = self.most_likely(&filter, &path, &expected, measured, judged.accepted);
         // What does not fit while the heading is looked for says that the heading is far off.
         let turned = believed
             && !fits
@@ -89,7 +90,7 @@ where
         let nis = judged.nis;
         witness.judged(&Verdict { at, kind, age_s, nis, limit, accepted, locked_out });
         if locked_out && !searching {
-            self.doubt(state, ahead.as_ref(), &along, witness);
+            self.doubt(state, ahead.as_ref(), &doubted, witness);
         }
         if accepted && !turned {
             self.search(state, measured, fits, witness);
@@ -133,7 +134,32 @@ where
         true
     }
 
-    /// After a lockout: the last innovation becomes an uncertainty.
+    /// The errors that explain a measurement that was refused: of all that do, those that the filter finds most likely.
+    fn most_likely(
+        &self,
+        filter: &Filter<R, N, P, E>,
+        path: &Path<'_, R, N, E, L>,
+        expected: &Expected<'_, R>,
+        measured: &Measured<R>,
+        accepted: bool,
+    ) -> [R; N] {
+        if accepted || self.settings.lockout == Lockout::Keep {
+            return [R::ZERO; N];
+        }
+        // A measurement that is nearly without noise is explained whole: x = PHᵀ(HPHᵀ)⁻¹y.
+        let surely = |sigma: Vector<R>| sigma * R::of(1e-3);
+        let sure = Measured {
+            position_sigma: surely(measured.position_sigma),
+            velocity_sigma: surely(measured.velocity_sigma),
+            ..*measured
+        };
+        let mut errors = consider(&mut { *filter }, path, expected, &sure, R::of(1e30)).errors;
+        // Lever arm, latency and the like do not leave what they were.
+        errors.iter_mut().skip(FIRST_EXTRA).for_each(|x| *x = R::ZERO);
+        errors
+    }
+
+    /// After a lockout: errors that would explain the last measurement become an uncertainty.
     fn doubt(
         &self,
         state: &mut AidedState<M, N, P, E, L, Q>,
@@ -167,7 +193,7 @@ fn consider<R, const N: usize, const P: usize, const E: usize, const L: usize>(
     expected: &Expected<'_, R>,
     measured: &Measured<R>,
     limit: R,
-) -> (Judged<R, N>, [R; N])
+) -> Judged<R, N>
 where
     R: Scalar + Real<Mask = bool>,
 {

@@ -65,6 +65,13 @@ impl<R: Scalar> Search<R> {
         self.turned = self.turned + angle;
     }
 
+    /// Ends the search if the heading is claimed to be known to a standard deviation, rad, that is small enough.
+    pub fn settle(&mut self, sigma: R) {
+        if sigma <= R::of(FOUND) && self.turned * self.turned <= sigma {
+            self.at = R::ZERO;
+        }
+    }
+
     /// Judges a heading that is claimed to be known to a standard deviation, rad.
     pub fn judge(&mut self, sigma: R) -> Found<R> {
         if !self.goes_on() || sigma > self.at {

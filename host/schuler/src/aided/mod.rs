@@ -1,6 +1,7 @@
 //! What is printed of aided navigation.
 
-use schuler_simulator::aided::report::{Count, Report};
+use schuler_simulator::aided::navigator::Found;
+use schuler_simulator::aided::report::{Compared, Count, Report};
 use schuler_simulator::number::rounded;
 
 /// What became of the measurements, a line for each sensor.
@@ -15,6 +16,7 @@ pub fn lines(report: &Report) -> String {
         text += &format!("{count} measurements {what}\n");
     }
     let times = |times: &[f64]| times.iter().map(|t| rounded(*t, 5)).collect::<Vec<_>>().join(", ");
+    text += &report.smoothed.as_ref().map(smoothed).unwrap_or_default();
     if !report.lockouts_s.is_empty() {
         text += &format!("locked out at {} s\n", times(&report.lockouts_s));
     }
@@ -22,6 +24,30 @@ pub fn lines(report: &Report) -> String {
         text += &format!("the heading was looked for again at {} s\n", times(&report.restarts_s));
     }
     text
+}
+
+/// What a filter has found beside the motion, a line each.
+pub fn found(found: &[Found]) -> String {
+    let line = |Found { name, numbers }: &Found| {
+        let [numbers, sigmas] = [0, 1]
+            .map(|i| numbers.iter().map(|one| rounded(one[i], 3)).collect::<Vec<_>>().join(", "));
+        format!("found: {name}: {numbers} (1σ {sigmas})\n")
+    };
+    found.iter().map(line).collect()
+}
+
+fn smoothed(compared: &Compared) -> String {
+    let Compared { span_s: [from_s, to_s], states, position_m, sigma_m, nees, .. } = compared;
+    format!(
+        "smoothed, {states} states from {} to {} s: position {} m off (rms), filtered {}; 1σ {}, at most {}; NEES {} of 1\n",
+        rounded(*from_s, 4),
+        rounded(*to_s, 4),
+        rounded(position_m[0], 3),
+        rounded(position_m[1], 3),
+        rounded(sigma_m[0], 3),
+        rounded(sigma_m[1], 3),
+        rounded(*nees, 3)
+    )
 }
 
 fn line(count: &Count) -> String {

@@ -1,7 +1,7 @@
 //! Options of `align`.
 
 use super::apart::{self, Written};
-use super::{Handling, Lag, NavigatorOptions, ReplayArgs, options};
+use super::{AidingOptions, Handling, Lag, NavigatorOptions, ReplayArgs, options};
 use clap::{Args, ValueEnum};
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::recording::foreign::Columns;
@@ -128,6 +128,7 @@ impl AlignArgs {
             apart::check(&[Written::named("--out", out)], &[("--imu reads", imu)])?;
         }
         Ok(ReplayArgs {
+            aiding: AidingOptions::default(),
             imu: imu.to_owned(),
             map: self.map.clone(),
             columns: self.columns.clone(),

@@ -42,7 +42,7 @@ pub struct AllanArgs {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span(pub [f64; 2]);
 
-fn span(text: &str) -> Result<Span, Complaint> {
+pub(super) fn span(text: &str) -> Result<Span, Complaint> {
     let accepted = "A..B, seconds of the recording's own time, A before B";
     let complaint = || Complaint::new("is not a span", accepted);
     let (from, to) = text.split_once("..").ok_or_else(complaint)?;

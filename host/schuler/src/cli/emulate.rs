@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 /// Options of `emulate`.
 #[derive(Args, Clone, Debug, PartialEq)]
 #[command(after_help = "Examples:\n  schuler emulate hard --out imu.csv --perfect\n  \
-    schuler emulate paper --out imu.csv --truth truth.csv")]
+    schuler emulate paper --out imu.csv --truth truth.csv\n  \
+    schuler emulate aided-drive --out imu.csv --gnss gnss.csv")]
 pub struct EmulateArgs {
     /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
     #[arg(value_parser = options::name())]
@@ -21,6 +22,9 @@ pub struct EmulateArgs {
     /// Write the true motion, too: the columns of nav.csv, the start and a row per sample
     #[arg(long, value_name = "FILE")]
     pub truth: Option<PathBuf>,
+    /// Write what the scene's receiver and its other aiding sensors deliver, too, in the order of arrival
+    #[arg(long, value_name = "FILE")]
+    pub gnss: Option<PathBuf>,
     /// Write ROS 2 messages, too: /imu (means over each sample) and /truth (NavSatFix, PoseStamped)
     #[arg(long, value_name = "FILE")]
     pub mcap: Option<PathBuf>,
@@ -62,6 +66,7 @@ impl EmulateArgs {
     fn check(&self, scene: &str) -> Result<(), InputError> {
         let mut written = vec![Written::named("--out", &self.out)];
         written.extend(self.truth.as_deref().map(|truth| Written::named("--truth", truth)));
+        written.extend(self.gnss.as_deref().map(|gnss| Written::named("--gnss", gnss)));
         written.extend(self.mcap.as_deref().map(|mcap| Written::named("--mcap", mcap)));
         let what = "initial.toml beside it";
         written.extend(self.initial().map(|path| Written { option: "--out", what, path }));

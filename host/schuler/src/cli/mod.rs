@@ -1,5 +1,6 @@
 //! The command line: commands, their options, and what they do to a scene.
 
+mod aiding;
 mod align;
 mod allan;
 mod apart;
@@ -13,6 +14,7 @@ mod scenes;
 mod start;
 
 pub use crate::report::every::Every;
+pub use aiding::{AidingOptions, LeverArm, Sigmas};
 pub use align::{AlignArgs, Method};
 pub use allan::{AllanArgs, DatasheetArgs, Span};
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};

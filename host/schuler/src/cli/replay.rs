@@ -1,7 +1,7 @@
 //! Options of `replay`.
 
 use super::apart::{self, Written};
-use super::{Every, Handling, NavigatorOptions, options};
+use super::{AidingOptions, Every, Handling, NavigatorOptions, options};
 use crate::replay::places::Places;
 use clap::Args;
 use schuler_simulator::input::{Complaint, InputError, Range};
@@ -9,7 +9,7 @@ use schuler_simulator::recording::foreign::{Columns, Given};
 use schuler_simulator::recording::mounting::Mounting;
 use schuler_simulator::recording::navigation::RANGES;
 use schuler_simulator::rest::units::Units;
-use schuler_simulator::scene::Vertical;
+use schuler_simulator::scene::{Vertical, builtin};
 use std::path::{Path, PathBuf};
 
 /// Options of `replay`.
@@ -21,7 +21,8 @@ use std::path::{Path, PathBuf};
     schuler replay --imu phone.csv --units g,deg/s --initial here.toml --align 20 --heading 40 --out nav.csv\n  \
     schuler replay --imu log.csv --map map.toml --initial rtk.pos --align 20 --heading 40 --out nav.csv\n  \
     schuler replay --imu log.csv --columns 7,4,5,6,1,2,3 --units g,deg/s,ms --axes forward-left-up \
-    --initial rtk.pos --align 20 --heading 40 --out nav.csv")]
+    --initial rtk.pos --align 20 --heading 40 --out nav.csv\n  \
+    schuler replay --imu imu.csv --gnss gnss.csv --sensors aided-drive --initial initial.toml --out nav.csv")]
 pub struct ReplayArgs {
     /// The stream: an imu.csv, a PSINS .imu, a log of another known format, or any other by --map or --columns
     #[arg(long, value_name = "FILE")]
@@ -86,6 +87,9 @@ pub struct ReplayArgs {
     /// Write every N-th row, or a row each S seconds (10s, 0.5s), and the last [default: every row]
     #[arg(long, value_name = "N|S", value_parser = Every::parse)]
     pub every: Option<Every>,
+    /// What aids it.
+    #[command(flatten)]
+    pub aiding: AidingOptions,
     /// How to navigate.
     #[command(flatten)]
     pub navigator: NavigatorOptions,
@@ -111,7 +115,18 @@ impl ReplayArgs {
                 Complaint::new("holds the vertical, which is to be free", "--vertical held");
             return Err(InputError::option("--height", complaint));
         }
+        if self.aiding.gnss.is_some() && self.vertical() == Vertical::Held {
+            let option = if self.height.is_some() { "--height" } else { "--vertical" };
+            let complaint =
+                Complaint::new("holds the vertical, which --gnss aids", "--vertical free");
+            return Err(InputError::option(option, complaint));
+        }
         let mut read = vec![("--imu reads", self.imu.as_path())];
+        read.extend(self.aiding.gnss.as_deref().map(|gnss| ("--gnss reads", gnss)));
+        read.extend(self.aiding.time_tag.as_deref().map(|tag| ("--time-tag reads", tag)));
+        let sensors = self.aiding.sensors.as_deref();
+        let sensors = sensors.filter(|name| builtin::scene(name).is_none()).map(Path::new);
+        read.extend(sensors.map(|sensors| ("--sensors reads", sensors)));
         let map = self.map.as_deref().map(Path::new);
         read.extend(map.map(|map| ("--map reads", map)));
         read.extend(self.initial.as_deref().map(|initial| ("--initial reads", initial)));

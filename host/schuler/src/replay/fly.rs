@@ -1,10 +1,11 @@
-//! The flight through a recording: samples one by one, for alignment or navigation.
+//! The flight through a recording, by inertia alone.
 
+use super::along::{Flies, Flown, along};
 use super::biases::Biases;
 pub use super::bridged::Bridged;
 use super::held::Held;
 use super::rows::{Finished, Rows};
-use super::spans::{Place, Spans};
+use super::spans::Spans;
 use crate::cli::ReplayArgs;
 use schuler::flight::plan;
 use schuler::solution::Solution;
@@ -12,21 +13,16 @@ use schuler_simulator::high::Neglected;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator::{self, Navigate, Unavailable};
 use schuler_simulator::output::{OutputFile, large_table};
-use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::clock::Clock;
 use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
 use schuler_simulator::recording::rows::Recording;
-use schuler_simulator::recording::samples::{MOST_BRIDGED, Sample, Samples};
+use schuler_simulator::recording::samples::Sample;
 use schuler_simulator::recording::survey::Survey;
-use schuler_simulator::recording::timeline::Misfit;
 use schuler_simulator::recording::track::Track;
-use schuler_simulator::rest::align;
-use schuler_simulator::rest::fine::Stretch;
 use schuler_simulator::rest::opening::Opening;
-use schuler_simulator::scene::{Gap as Policy, Navigator, WindowShape};
+use schuler_simulator::scene::{Navigator, WindowShape};
 use schuler_simulator::simulate::FlightError;
-use schuler_simulator::units::DEGREE;
 use std::path::Path;
 
 /// What came of it.
@@ -90,77 +86,12 @@ pub fn fly(
     initial: &NavigationRow,
     orders: &Orders,
 ) -> Result<Flight, FlightError> {
-    let (args, options) = (orders.args, &orders.options);
-    let mut samples = Samples::new(recording, survey, Some(spans.begin_s))?;
-    let mut still = align::gather(spans.navigate_s - spans.begin_s);
-    // Stamps that are no constant rate give the means alone.
-    let even = matches!(survey.clock, Clock::Even { .. });
-    let mut stretch = (even && !args.coarse).then(|| Stretch::new(survey.clock.interval()));
-    // Of the stretch at rest: samples that were there, and that were missing.
-    let (mut there, mut lost) = (0, 0);
-    let mut flying: Option<Flying> = None;
-    let mut start = *initial;
-    let mut bridged = Bridged::default();
-    let mut outside = (0, None);
-    let mut begun = false;
-    let progress = Progress::new(survey.rows);
-    let mut count = 0;
-    while let Some(sample) = samples.advance()? {
-        pass_over(&sample.unread, spans, &mut outside)?;
-        count += 1;
-        match spans.place(sample.end_s) {
-            Place::Before => continue,
-            Place::Still => {
-                begun |= there == 0 && spans.begins_at(&sample, spans.begin_s);
-                // What is missing before the stretch is no loss to it.
-                let within = there > 0 || sample.filled;
-                bridgeable(recording, &sample, options.gap, within)?;
-                if sample.filled {
-                    lost += 1;
-                } else {
-                    there += 1;
-                    still.add(&sample.increment, sample.interval_s);
-                }
-                // A sample that fills a gap belongs to the filter's time, too.
-                if let Some(stretch) = &mut stretch {
-                    stretch.add(&sample.increment);
-                }
-            }
-            Place::Flown => {
-                let flying = match &mut flying {
-                    Some(flying) => {
-                        bridgeable(recording, &sample, options.gap, true)?;
-                        flying
-                    }
-                    none => {
-                        bridgeable(recording, &sample, options.gap, sample.filled)?;
-                        spans.check_first(&sample, begun)?;
-                        let mut refined = None;
-                        if args.align.is_some() {
-                            let heading = args.heading.map(|heading| heading * DEGREE);
-                            let (name, kind) = (&recording.name, recording.kind);
-                            let fine = stretch.as_ref();
-                            (start, refined) = align::align(
-                                &still, kind, name, initial, heading, there, lost, fine,
-                            )?;
-                        }
-                        let biases = refined.map(|refined| Biases::of(&refined.aligned));
-                        let flying = Flying::new(recording, survey, spans, orders, &start)?;
-                        none.insert(Flying { biases: biases.unwrap_or_default(), ..flying })
-                    }
-                };
-                if sample.filled {
-                    bridged.add(&sample);
-                }
-                flying.take(&sample)?;
-            }
-            Place::After => break,
-        }
-        progress.reach(count);
-    }
-    pass_over(samples.trailing(), spans, &mut outside)?;
-    progress.finish();
-    let flying = flying.ok_or_else(|| spans.empty())?;
+    let (args, gap) = (orders.args, orders.options.gap);
+    let flown = along(recording, survey, spans, initial, args, gap, &mut |(start, refined), _| {
+        let biases = refined.map(|refined| Biases::of(&refined.aligned)).unwrap_or_default();
+        Ok(Flying { biases, ..Flying::new(recording, survey, spans, orders, start)? })
+    })?;
+    let Flown { flying, start, bridged, outside } = flown;
     let flight = flying.finish(start.solution())?;
     Ok(Flight { bridged, outside, ..flight })
 }
@@ -195,6 +126,24 @@ impl<'a> Flying<'a> {
         Ok(Self { recording, even, navigator, rows, held, samples: 0, opening, biases })
     }
 
+    /// The end of a flight that started in a state.
+    fn finish(self, start: Solution<f64>) -> Result<Flight, InputError> {
+        let Self { mut navigator, mut rows, mut opening, samples, .. } = self;
+        if let Some(opening) = &mut opening {
+            opening.finish()?;
+        }
+        navigator.finish(&mut |_, row| rows.add(row));
+        let (neglected, last) = (rows.highest.neglected(), rows.last);
+        let Finished { files: nav, track, kept: rows } = rows.finish()?;
+        let (bridged, outside) = (Bridged::default(), (0, None));
+        let digest = navigator.digest();
+        let flown =
+            Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };
+        Ok(flown)
+    }
+}
+
+impl Flies for Flying<'_> {
     fn take(&mut self, sample: &Sample) -> Result<(), FlightError> {
         let Self { recording, even, navigator, rows, held, samples, opening, biases } = self;
         if let Some(opening) = opening {
@@ -219,63 +168,6 @@ impl<'a> Flying<'a> {
         })?;
         Ok(rows.check()?)
     }
-
-    /// The end of a flight that started in a state.
-    fn finish(self, start: Solution<f64>) -> Result<Flight, InputError> {
-        let Self { mut navigator, mut rows, mut opening, samples, .. } = self;
-        if let Some(opening) = &mut opening {
-            opening.finish()?;
-        }
-        navigator.finish(&mut |_, row| rows.add(row));
-        let (neglected, last) = (rows.highest.neglected(), rows.last);
-        let Finished { files: nav, track, kept: rows } = rows.finish()?;
-        let (bridged, outside) = (Bridged::default(), (0, None));
-        let digest = navigator.digest();
-        let flown =
-            Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };
-        Ok(flown)
-    }
-}
-
-/// Refuses lines that could not be read where they are needed, and counts the others.
-fn pass_over(
-    unread: &[Misfit],
-    spans: &Spans,
-    outside: &mut (u64, Option<InputError>),
-) -> Result<(), InputError> {
-    for misfit in unread {
-        if matches!(spans.place(misfit.time_s), Place::Still | Place::Flown) {
-            return Err(misfit.error.clone());
-        }
-        outside.0 += 1;
-        outside.1.get_or_insert_with(|| misfit.error.clone());
-    }
-    Ok(())
-}
-
-/// Refuses a sample that fills a gap, unless gaps are bridged, and one after a gap that is too long.
-fn bridgeable(
-    recording: &Recording,
-    sample: &Sample,
-    policy: Policy,
-    within: bool,
-) -> Result<(), FlightError> {
-    let missing = sample.missing;
-    if missing == 0 || !within {
-        return Ok(());
-    }
-    let what = format!(
-        "{missing} samples are missing before this one, {:.6} s",
-        missing as f64 * sample.interval_s
-    );
-    let complaint = if missing > MOST_BRIDGED {
-        Complaint::new(what, format!("at most {MOST_BRIDGED}"))
-    } else if policy == Policy::Error {
-        Complaint::new(what, "--gap bridge, which fills them from their neighbours")
-    } else {
-        return Ok(());
-    };
-    Err(FlightError::Stopped(recording.error(sample.line, complaint)))
 }
 
 fn unavailable(error: Unavailable) -> InputError {

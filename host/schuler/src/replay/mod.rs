@@ -1,5 +1,7 @@
 //! `schuler replay`: navigates a recorded stream.
 
+pub(crate) mod aided;
+mod along;
 mod biases;
 mod bridged;
 mod comparison;
@@ -20,10 +22,11 @@ use crate::report::sensors::Sensors;
 use crate::report::traces::Traces;
 use comparison::Has;
 use files::ReportFiles;
-use fly::Orders;
+use fly::{Flight, Orders};
 use places::Places;
 use schuler::flight::plan;
 use schuler::solution::Solution;
+use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler_simulator::flight::Instant;
 use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
@@ -37,6 +40,7 @@ use schuler_simulator::recording::samples::Samples;
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::scene::{Algorithm, Navigator, Vertical, WindowShape};
 use schuler_simulator::simulate::FlightError;
+use std::path::Path;
 use summary::About;
 
 /// Navigates a recording and writes `nav.csv`, a row per sample or fewer. Prints what its stamps say, what
@@ -85,6 +89,9 @@ pub fn fly(args: &ReplayArgs, recording: &Recording, keep: bool) -> Result<Repla
     let reference =
         args.reference.as_ref().map(|file| Reference::open(&name_of(file), recording.scale));
     let reference = reference.transpose()?;
+    if let Some(gnss) = &args.aiding.gnss {
+        return aided(args, gnss, recording, &options, reference.as_ref(), keep);
+    }
     let (initial, args) = &initial::initial(args, recording)?;
 
     let measured = spans::about(args, initial);
@@ -105,40 +112,108 @@ pub fn fly(args: &ReplayArgs, recording: &Recording, keep: bool) -> Result<Repla
         say(&format!("window {history},{block},{lookahead} {how}: {motion}\n"))?;
     }
     let heights = heights(args, &options, initial, [spans.navigate_s, end_s])?;
-    let places = Places::new(&args.out, reference.is_some());
-    let has =
-        reference.as_ref().map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
-    let files = has.map(|has| ReportFiles::create(&places, has));
-    let mut files = files.transpose()?.flatten();
-    let orders = Orders { args, options, shape, heights, nav: &places.nav, keep };
-    let mut flight = fly::fly(recording, &survey, &spans, initial, &orders)?;
-    let mut text = report::text(&flight, &spans, args.align.is_some());
-    let (mut filled, mut report) = (Vec::new(), None);
-    if let (Some(reference), Some(track)) = (&reference, flight.track.take()) {
-        let mut traces = Traces::default();
-        let mut row = |instant: &Instant| {
-            traces.row(&Instant { time_s: instant.time_s - spans.navigate_s, ..*instant });
-            files.as_mut().map_or(Ok(()), |files| files.row(instant))
-        };
-        let comparison = comparison::compare(&track, reference, args.lag, &mut row)?;
-        let (imu, rate_hz) = (recording.name.as_str(), 1.0 / survey.clock.interval_s());
-        let about = About { imu, rate_hz, options: &orders.options, shape, spans: &spans };
-        text += &table::table(&comparison);
-        if keep || files.is_some() {
-            let sensors = read(recording, &survey, [spans.navigate_s, flight.last.0])?;
-            let shown = (&traces, &sensors);
-            report = keep.then(|| {
-                let summary = summary::json(&flight, &comparison, &about, &[]);
-                [summary, page::page(&flight, &comparison, &about, shown)]
-            });
-            let files = files.map(|files| files.fill(&flight, &comparison, &about, shown));
-            filled = files.transpose()?.unwrap_or_default();
-        }
+    let window = (options.algorithm == Algorithm::Taylor).then_some(shape);
+    let tail = Tail {
+        args,
+        recording,
+        survey: &survey,
+        spans: &spans,
+        options: &options,
+        shape,
+        reference: reference.as_ref(),
+        keep,
+    };
+    let replayed = tail.tell(&mut |nav| {
+        let orders = Orders { args, options, shape, heights: heights.clone(), nav, keep };
+        let flight = fly::fly(recording, &survey, &spans, initial, &orders)?;
+        let text = report::text(&flight, &spans, args.align.is_some());
+        Ok((flight, text))
+    })?;
+    Ok(Replayed { window, ..replayed })
+}
+
+/// The same with what aids it.
+fn aided(
+    args: &ReplayArgs,
+    gnss: &Path,
+    recording: &Recording,
+    options: &Navigator,
+    reference: Option<&Reference>,
+    keep: bool,
+) -> Result<Replayed, FlightError> {
+    let span = (args.start.unwrap_or(f64::NEG_INFINITY), args.until.unwrap_or(f64::INFINITY));
+    let survey = Survey::of(recording, args.rate.map(|rate_hz| 1.0 / rate_hz), span)?;
+    for line in survey.said(recording) {
+        say(&format!("{line}\n"))?;
     }
-    let window = (orders.options.algorithm == Algorithm::Taylor).then_some(shape);
-    let start = (spans.navigate_s, flight.start);
-    let files = flight.nav.into_iter().chain(filled).collect();
-    Ok(Replayed { text, start, digest: flight.digest, window, rows: flight.rows, report, files })
+    let given = aided::given::given(args, gnss, recording, &survey)?;
+    let beginning = aided::start::beginning(args, recording, &survey, &given)?;
+    let (args, spans) = (&beginning.args, &beginning.spans);
+    if let Some(reference) = reference {
+        comparison::check(reference, spans.navigate_s, spans.until_s.min(survey.end_s))?;
+    }
+    let shape = H0B4A0::SHAPE;
+    let tail = Tail { args, recording, survey: &survey, spans, options, shape, reference, keep };
+    let replayed = tail.tell(&mut |nav| {
+        let places = (nav, keep);
+        let (flight, text) =
+            aided::fly::fly(recording, &survey, &beginning, &given, options, places)?;
+        let text = report::text(&flight, spans, false) + &text;
+        Ok((flight, text))
+    })?;
+    Ok(Replayed { window: Some(shape), ..replayed })
+}
+
+/// What comes after a flight is known to be possible: it, its files, and what is told of it.
+struct Tail<'a> {
+    args: &'a ReplayArgs,
+    recording: &'a Recording,
+    survey: &'a Survey,
+    spans: &'a spans::Spans,
+    options: &'a Navigator,
+    shape: WindowShape,
+    reference: Option<&'a Reference>,
+    keep: bool,
+}
+
+/// A flight whose rows go to a file, and what is said of it.
+type Fly<'a> = dyn FnMut(&Path) -> Result<(Flight, String), FlightError> + 'a;
+
+impl Tail<'_> {
+    fn tell(&self, fly: &mut Fly<'_>) -> Result<Replayed, FlightError> {
+        let Self { args, recording, survey, spans, options, shape, reference, keep } = *self;
+        let places = Places::new(&args.out, reference.is_some());
+        let has = reference.map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
+        let files = has.map(|has| ReportFiles::create(&places, has));
+        let mut files = files.transpose()?.flatten();
+        let (mut flight, mut text) = fly(&places.nav)?;
+        let (mut filled, mut report) = (Vec::new(), None);
+        if let (Some(reference), Some(track)) = (reference, flight.track.take()) {
+            let mut traces = Traces::default();
+            let mut row = |instant: &Instant| {
+                traces.row(&Instant { time_s: instant.time_s - spans.navigate_s, ..*instant });
+                files.as_mut().map_or(Ok(()), |files| files.row(instant))
+            };
+            let comparison = comparison::compare(&track, reference, args.lag, &mut row)?;
+            let (imu, rate_hz) = (recording.name.as_str(), 1.0 / survey.clock.interval_s());
+            let about = About { imu, rate_hz, options, shape, spans };
+            text += &table::table(&comparison);
+            if keep || files.is_some() {
+                let sensors = read(recording, survey, [spans.navigate_s, flight.last.0])?;
+                let shown = (&traces, &sensors);
+                report = keep.then(|| {
+                    let summary = summary::json(&flight, &comparison, &about, &[]);
+                    [summary, page::page(&flight, &comparison, &about, shown)]
+                });
+                let files = files.map(|files| files.fill(&flight, &comparison, &about, shown));
+                filled = files.transpose()?.unwrap_or_default();
+            }
+        }
+        let start = (spans.navigate_s, flight.start);
+        let files = flight.nav.into_iter().chain(filled).collect();
+        let (digest, rows) = (flight.digest, flight.rows);
+        Ok(Replayed { text, start, digest, window: None, rows, report, files })
+    }
 }
 
 /// What the sensors put out from one time to another, s: the recording read once more.

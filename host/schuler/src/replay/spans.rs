@@ -82,6 +82,20 @@ impl Spans {
         if until_s - navigate_s < slack_s { Err(spans.empty()) } else { Ok(spans) }
     }
 
+    /// From a time where what aids the flight begins it, s.
+    pub fn from_fix(args: &ReplayArgs, survey: &Survey, begin_s: f64) -> Result<Self, InputError> {
+        let (first_s, last_s) = (survey.start_s, survey.end_s);
+        let spans = Self {
+            begin_s,
+            navigate_s: begin_s,
+            until_s: args.until.unwrap_or(f64::INFINITY),
+            slack_s: 0.25 * survey.clock.interval_s(),
+            begins: "--gnss",
+            inside: format!("times within the recording, {first_s} to {last_s} s"),
+        };
+        if spans.until_s - begin_s < spans.slack_s { Err(spans.empty()) } else { Ok(spans) }
+    }
+
     /// Where a sample with this end lies.
     pub fn place(&self, end_s: f64) -> Place {
         match end_s - self.slack_s {

@@ -3,15 +3,25 @@
 //! | file | what it has |
 //! |---|---|
 //! | [`measurements`] | what the sensors of a run deliver, in the order of arrival |
+//! | [`columns`], [`told`] | the same as a file |
+//! | [`fixes`] | what receivers wrote, on the time of a recording |
 //! | [`settings`] | the filter for a scene |
+//! | [`unit`] | what is known of a recording's sensors |
 //! | [`navigator`] | the core's aided navigators behind one interface |
+//! | [`seen`], [`smoother`] | its verdicts and steps, and what all measurements together say of them |
 //! | [`vehicle`] | one run's navigator with its measurements |
 //! | [`runs`] | many runs: their errors beside what their filters say |
 //! | [`report`] | what became of them |
 
+pub mod columns;
+pub mod fixes;
 pub mod measurements;
 pub mod navigator;
 pub mod report;
 pub mod runs;
+pub mod seen;
 pub mod settings;
+pub mod smoother;
+pub mod told;
+pub mod unit;
 pub mod vehicle;

@@ -1,15 +1,17 @@
 //! The core's aided navigators behind one interface: frame and precision are chosen at run time.
 
-use super::report::{Judgement, Report};
+use super::report::Report;
+use super::seen::Seen;
 use super::settings;
+use super::smoother::{Smoothed, Steps};
 use crate::input::{Complaint, InputError};
-use crate::scene::{Algorithm, Axes, Precision, Scene};
+use crate::scene::{Algorithm, Axes, Navigator as Configuration, Precision, Scene};
 use schuler::aiding::aided::fault::AidedFault;
 use schuler::aiding::aided::instant::Instant;
 use schuler::aiding::aided::measured::{Measured, Sensor};
 use schuler::aiding::aided::navigator::Aided;
+use schuler::aiding::aided::settings::Settings;
 use schuler::aiding::aided::state::AidedState;
-use schuler::aiding::aided::verdict::{Verdict, Witness};
 use schuler::digest::Digest;
 use schuler::flight::carried::Carried;
 use schuler::math::compensated::Pair;
@@ -50,11 +52,49 @@ pub trait Aids: Send {
     fn digest(&self) -> u64;
     /// What became of the measurements.
     fn report(&self) -> Report;
+    /// Its states as all measurements together say they were, where it is smoothed: after each step since the
+    /// filter last started. To be called after the end.
+    fn smoothed(&self) -> Vec<Smoothed>;
+    /// What the filter has found beside the motion.
+    fn found(&self) -> Vec<Found>;
+}
+
+/// Something that a filter has found beside the motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// What, with its unit.
+    pub name: &'static str,
+    /// Of each component: the number, and its standard deviation.
+    pub numbers: Vec<[f64; 2]>,
+}
+
+/// What an aided navigator is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Made<'a> {
+    /// Frame, precision, algorithm, window.
+    pub navigator: &'a Configuration,
+    /// The samples' interval, s.
+    pub interval: Pair<f64>,
+    /// Samples per second.
+    pub rate_hz: f64,
+    /// The filter.
+    pub settings: &'a Settings<f64>,
+    /// Whether it is smoothed afterwards: then its steps are kept.
+    pub smoother: bool,
 }
 
 /// Starts the aided navigator of a scene.
 pub fn start(scene: &Scene, initial: &Solution<f64>) -> Result<Box<dyn Aids>, InputError> {
-    let navigator = &scene.navigator;
+    let interval = Pair::new(scene.rate_hz).reciprocal();
+    let (navigator, rate_hz) = (&scene.navigator, scene.rate_hz);
+    let smoother = scene.aiding.filter.smoother;
+    let made = Made { navigator, interval, rate_hz, settings: &settings::of(scene), smoother };
+    begin(&made, initial)
+}
+
+/// Starts one from a solution.
+pub fn begin(made: &Made<'_>, initial: &Solution<f64>) -> Result<Box<dyn Aids>, InputError> {
+    let navigator = made.navigator;
     let refuse = |key: &str, what: &str, accepted: &str| {
         Err(InputError::option(key, Complaint::new(what.to_owned(), accepted.to_owned())))
     };
@@ -66,13 +106,13 @@ pub fn start(scene: &Scene, initial: &Solution<f64>) -> Result<Box<dyn Aids>, In
         return refuse("navigator.window", what, "\"auto\", \"0,4,0\"");
     }
     match (navigator.frame, navigator.precision) {
-        (Axes::LocalLevel, Precision::F64) => boxed(scene, initial, Navigator4::<f64>::new),
+        (Axes::LocalLevel, Precision::F64) => boxed(made, initial, Navigator4::<f64>::new),
         (Axes::EarthFixed, Precision::F64) => {
-            boxed(scene, initial, EarthFixedNavigator4::<f64>::new)
+            boxed(made, initial, EarthFixedNavigator4::<f64>::new)
         }
-        (Axes::LocalLevel, Precision::F32) => boxed(scene, initial, Navigator4::<f32>::new),
+        (Axes::LocalLevel, Precision::F32) => boxed(made, initial, Navigator4::<f32>::new),
         (Axes::EarthFixed, Precision::F32) => {
-            boxed(scene, initial, EarthFixedNavigator4::<f32>::new)
+            boxed(made, initial, EarthFixedNavigator4::<f32>::new)
         }
         (_, Precision::F32x2) => {
             let what = "an aided navigator has no two-float products";
@@ -83,7 +123,7 @@ pub fn start(scene: &Scene, initial: &Solution<f64>) -> Result<Box<dyn Aids>, In
 
 /// By a mechanization of an interval.
 fn boxed<R, M>(
-    scene: &Scene,
+    made: &Made<'_>,
     initial: &Solution<f64>,
     mechanization: impl FnOnce(Pair<R>) -> Result<M, StartError>,
 ) -> Result<Box<dyn Aids>, InputError>
@@ -91,18 +131,24 @@ where
     R: Scalar + Real<Mask = bool> + Record + Send,
     M: Mechanization<Real = R, Body = BodyMotion<R>, Frame: Record, State: Send> + Send + 'static,
 {
-    let interval_s = Pair::narrow(Pair::new(scene.rate_hz).reciprocal());
+    let interval_s = Pair::narrow(made.interval);
     let stopped =
         |fault: AidedFault| InputError::option("filter", Complaint::new(fault.to_string(), ""));
     let mechanization = mechanization(interval_s).map_err(|_| stopped(AidedFault::Start))?;
-    let aided = Aided::new(mechanization, interval_s, settings::of(scene)).map_err(stopped)?;
+    let settings = settings::narrow(made.settings);
+    let aided = Aided::new(mechanization, interval_s, settings).map_err(stopped)?;
     let state = aided.start(&Solution::narrow(initial)).map_err(stopped)?;
     Ok(Box::new(Flying::<M> {
         aided,
         state,
         carried: Carried::default(),
         digest: Digest::default(),
-        seen: Seen { rate_hz: scene.rate_hz, judged: Vec::new(), restarts: Vec::new() },
+        seen: Seen {
+            rate_hz: made.rate_hz,
+            judged: Vec::new(),
+            restarts: Vec::new(),
+            steps: made.smoother.then(Steps::default),
+        },
     }))
 }
 
@@ -117,26 +163,6 @@ struct Flying<M: Mechanization> {
     seen: Seen,
 }
 
-/// What is seen of the filter.
-struct Seen {
-    rate_hz: f64,
-    judged: Vec<Judgement>,
-    /// When the filter started again, s.
-    restarts: Vec<f64>,
-}
-
-impl<R: Scalar, const N: usize, const P: usize, const E: usize> Witness<R, N, P, E> for Seen {
-    fn judged(&mut self, verdict: &Verdict<R>) {
-        let &Verdict { at, kind, nis, accepted, locked_out, .. } = verdict;
-        let time_s = (at.samples as f64 + at.part.widen()) / self.rate_hz;
-        self.judged.push(Judgement { time_s, kind, nis: nis.widen(), accepted, locked_out });
-    }
-
-    fn restarted(&mut self, samples: u64) {
-        self.restarts.push(samples as f64 / self.rate_hz);
-    }
-}
-
 /// A measurement in other digits.
 fn narrowed<R: Scalar>(measured: &Measured<f64>) -> Measured<R> {
     let of = |x: f64| R::narrow(x);
@@ -148,6 +174,24 @@ fn narrowed<R: Scalar>(measured: &Measured<f64>) -> Measured<R> {
         velocity: velocity.map(of),
         position_sigma: position_sigma.map(of),
         velocity_sigma: velocity_sigma.map(of),
+    }
+}
+
+impl<R, M> Flying<M>
+where
+    R: Scalar + Real<Mask = bool>,
+    M: Mechanization<Real = R, Body = BodyMotion<R>>,
+{
+    /// Shows the state at the end of a block to a smoother.
+    fn reach(&mut self) {
+        let Self { aided, state, seen, .. } = self;
+        if let Some(steps) = &mut seen.steps {
+            steps.reach(state.integrated(), || {
+                let rows = aided.drift_rows(state);
+                let rows = rows.map(|row| std::array::from_fn(|i| row[i].widen()));
+                (aided.output(state).wide(), rows)
+            });
+        }
     }
 }
 
@@ -169,12 +213,14 @@ where
         self.aided.push_seen(&mut self.state, narrow, &mut self.seen)?;
         if self.state.integrated() != before {
             self.digest.add(M::frame(self.state.navigator()));
+            self.reach();
         }
         Ok(())
     }
 
     fn finish(&mut self) -> Result<(), AidedFault> {
         self.aided.finish(&mut self.state, &mut self.seen);
+        self.reach();
         self.digest.add(M::frame(self.state.navigator()));
         self.digest.add(self.state.filter());
         Ok(())
@@ -200,5 +246,35 @@ where
         let lockouts = Sensor::ALL.map(|sensor| self.state.tally(sensor).lockouts());
         let transport = *self.state.transport();
         Report::new(&self.seen.judged, &self.seen.restarts, lockouts, transport)
+    }
+
+    fn smoothed(&self) -> Vec<Smoothed> {
+        let Some(steps) = &self.seen.steps else { return Vec::new() };
+        let ud = self.state.filter().covariance();
+        let cells = (0..STATES).flat_map(|i| (0..=i).map(move |j| (i, j)));
+        let end: Vec<f64> = cells.map(|(i, j)| ud.covariance(i, j).widen()).collect();
+        steps.smoothed(&end)
+    }
+
+    fn found(&self) -> Vec<Found> {
+        let (states, filter) = (&self.aided.settings().states, self.state.filter());
+        let sizes = [
+            ("lever arm forward, right, down, m", 3, states.lever_arm.is_some()),
+            ("latency, s", 1, states.latency.is_some()),
+            ("barometer bias, m", 1, states.barometer_bias.is_some()),
+            ("odometer scale", 1, states.odometer_scale.is_some()),
+        ];
+        let mut at = 0;
+        let there = sizes.into_iter().filter(|(_, _, is_there)| *is_there);
+        let found = there.map(|(name, size, _)| {
+            let places = at..at + size;
+            at += size;
+            let numbers = places.filter_map(|i| {
+                let variance = filter.covariance().covariance(15 + i, 15 + i);
+                Some([filter.extras().get(i)?.widen(), variance.widen().max(0.0).sqrt()])
+            });
+            Found { name, numbers: numbers.collect() }
+        });
+        found.collect()
     }
 }

@@ -60,6 +60,27 @@ pub struct Report {
     pub lockouts_s: Vec<f64>,
     /// When the filter started again to look for the heading, s.
     pub restarts_s: Vec<f64>,
+    /// What a smoother made of it, if there was one and the truth is known.
+    pub smoothed: Option<Compared>,
+}
+
+/// Smoothed states beside the filter's, over all steps since the filter last started.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Compared {
+    /// From and to, s.
+    pub span_s: [f64; 2],
+    /// How many.
+    pub states: usize,
+    /// Their error of position, and that of the filter's, m (root of the mean square).
+    pub position_m: [f64; 2],
+    /// Their standard deviation of position, north, east and down together: in the mean, and the largest, m.
+    pub sigma_m: [f64; 2],
+    /// Their error of velocity, m/s, and of attitude, rad.
+    pub velocity_m_s: f64,
+    /// See there.
+    pub attitude_rad: f64,
+    /// Mean of eᵀP⁻¹e of the position, by its three degrees of freedom: 1 is expected.
+    pub nees: f64,
 }
 
 /// What a sensor is called.
@@ -106,6 +127,7 @@ impl Report {
             dropped: transport.dropped,
             lockouts_s: locked.collect(),
             restarts_s: restarts_s.to_vec(),
+            smoothed: None,
         }
     }
 }

@@ -14,38 +14,71 @@ use schuler::units::DEGREE;
 /// First standard deviations where nothing is off: m, m/s, rad, rad.
 const LEAST: [f64; 4] = [0.01, 1e-3, 1e-3 * DEGREE, 1e-2 * DEGREE];
 
-/// The settings of a scene's filter, in a navigator's digits.
-pub fn of<R: Scalar>(scene: &Scene) -> Settings<R> {
+/// The settings of a scene's filter.
+pub fn of(scene: &Scene) -> Settings<f64> {
     let (aiding, filter) = (&scene.aiding, &scene.aiding.filter);
     let model = sensors::model(scene);
-    let of = |x: f64| R::narrow(x);
     let states = States {
-        lever_arm: filter.lever_arm_m.map(|sigma| LeverArm { sigma: of(sigma) }),
-        latency: filter.latency_s.map(|sigma_s| Latency { sigma_s: of(sigma_s) }),
-        barometer_bias: aiding.barometer.map(|barometer| {
-            Process::gauss_markov(of(barometer.bias_m), of(barometer.correlation_s))
-        }),
+        lever_arm: filter.lever_arm_m.map(|sigma| LeverArm { sigma }),
+        latency: filter.latency_s.map(|sigma_s| Latency { sigma_s }),
+        barometer_bias: aiding
+            .barometer
+            .map(|barometer| Process::gauss_markov(barometer.bias_m, barometer.correlation_s)),
         odometer_scale: aiding
             .odometer
-            .map(|odometer| Scale { sigma: of(odometer.scale_rms), per_root_s: R::ZERO }),
+            .map(|odometer| Scale { sigma: odometer.scale_rms, per_root_s: 0.0 }),
         ..States::new(
-            of(model.noise.gyro),
-            of(model.noise.accelerometer),
-            narrowed(model.gyro_bias),
-            narrowed(model.accelerometer_bias),
+            model.noise.gyro,
+            model.noise.accelerometer,
+            model.gyro_bias,
+            model.accelerometer_bias,
         )
     };
-    let [position_m, velocity_m_s, level_rad, heading_rad] = start(scene).map(of);
+    let [position_m, velocity_m_s, level_rad, heading_rad] = start(scene);
     let lever_b = aiding.gnss.map(|gnss| gnss.lever_b);
     let port = aiding.barometer.map(|barometer| barometer.lever_b);
     Settings {
-        lever_b: lever_b.or(port).unwrap_or(Vector::ZERO).map(of),
-        odometer_lever_b: aiding.odometer.map_or(Vector::ZERO, |odometer| odometer.lever_b).map(of),
-        false_refusal: of(filter.false_refusal),
+        lever_b: lever_b.or(port).unwrap_or(Vector::ZERO),
+        odometer_lever_b: aiding.odometer.map_or(Vector::ZERO, |odometer| odometer.lever_b),
+        false_refusal: filter.false_refusal,
         patience: filter.patience,
         lockout: filter.lockout,
         horizon_samples: filter.horizon_s.map(|s| (s * scene.rate_hz).ceil() as u32),
         ..Settings::new(states, Start { position_m, velocity_m_s, level_rad, heading_rad })
+    }
+}
+
+/// Settings in a navigator's digits.
+pub fn narrow<R: Scalar>(settings: &Settings<f64>) -> Settings<R> {
+    let of = |x: f64| R::narrow(x);
+    let states = &settings.states;
+    let Start { position_m, velocity_m_s, level_rad, heading_rad } = settings.start;
+    Settings {
+        states: States {
+            gyro_noise: of(states.gyro_noise),
+            accelerometer_noise: of(states.accelerometer_noise),
+            gyro_bias: narrowed(states.gyro_bias),
+            accelerometer_bias: narrowed(states.accelerometer_bias),
+            lever_arm: states.lever_arm.map(|one| LeverArm { sigma: of(one.sigma) }),
+            latency: states.latency.map(|one| Latency { sigma_s: of(one.sigma_s) }),
+            barometer_bias: states.barometer_bias.map(narrowed),
+            odometer_scale: states
+                .odometer_scale
+                .map(|one| Scale { sigma: of(one.sigma), per_root_s: of(one.per_root_s) }),
+        },
+        start: Start {
+            position_m: of(position_m),
+            velocity_m_s: of(velocity_m_s),
+            level_rad: of(level_rad),
+            heading_rad: of(heading_rad),
+        },
+        lever_b: settings.lever_b.map(of),
+        odometer_lever_b: settings.odometer_lever_b.map(of),
+        false_refusal: of(settings.false_refusal),
+        patience: settings.patience,
+        lockout: settings.lockout,
+        horizon_samples: settings.horizon_samples,
+        step_s: of(settings.step_s),
     }
 }
 

@@ -29,7 +29,12 @@ impl AidedVehicle {
     ) -> Result<Self, InputError> {
         let navigator = navigator::start(scene, initial)?;
         let arriving = measurements::of_run(scene, source, run);
-        Ok(Self { navigator, arriving, next: 0, taken: 0, rate_hz: scene.rate_hz })
+        Ok(Self::with(navigator, arriving, scene.rate_hz))
+    }
+
+    /// A navigator with measurements in the order of their arrival.
+    pub fn with(navigator: Box<dyn Aids>, arriving: Vec<Arriving>, rate_hz: f64) -> Self {
+        Self { navigator, arriving, next: 0, taken: 0, rate_hz }
     }
 
     /// Takes the measurements that have arrived by the end of the next sample, and the sample.

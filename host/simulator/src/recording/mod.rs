@@ -21,6 +21,7 @@ pub mod rows;
 pub mod samples;
 pub mod survey;
 pub mod table;
+pub mod time_tag;
 pub mod timeline;
 pub mod track;
 pub mod writer;

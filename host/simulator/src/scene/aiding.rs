@@ -50,6 +50,8 @@ pub struct Filtering {
     pub lockout: Lockout,
     /// How long measurements wait for others, s.
     pub horizon_s: Option<f64>,
+    /// Whether the flight is smoothed afterwards.
+    pub smoother: bool,
     /// First standard deviations: position, m; velocity, m/s; level and heading, rad. Absent: those of the initial
     /// error.
     pub start: [Option<f64>; 4],
@@ -64,6 +66,7 @@ impl Default for Filtering {
             patience: 5,
             lockout: Lockout::Inflate,
             horizon_s: None,
+            smoother: false,
             start: [None; 4],
         }
     }

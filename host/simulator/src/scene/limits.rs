@@ -4,6 +4,7 @@ mod path;
 
 use super::alignment::BLOCK;
 use super::{Channel, Scene, Trajectory, Vertical, WindowShape};
+use crate::aided::smoother;
 use crate::course::HARMONICS;
 use crate::input::{Complaint, Range};
 use crate::units::DEGREE;
@@ -207,6 +208,12 @@ fn aiding(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
     if scene.alignment.is_some() {
         let what = "comes before navigation without aiding: a filter aligns by its measurements";
         return refuse("alignment", what, "heading_sigma_deg in [filter]");
+    }
+    if scene.aiding.filter.smoother {
+        // Measurements end steps, too; a receiver's of every sample at most.
+        let fixes = scene.aiding.gnss.map_or(0.0, |gnss| scene.duration_s / gnss.line.interval_s);
+        smoother::check(scene.duration_s, smoother::STEP_S, fixes as usize)
+            .map_err(|complaint| ("filter.smoother", complaint))?;
     }
     Ok(())
 }

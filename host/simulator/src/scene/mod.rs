@@ -75,6 +75,17 @@ pub fn load(name_or_path: &str) -> Result<Scene, InputError> {
     load_beside(name_or_path, &[])
 }
 
+/// What a built-in scene, or a TOML file that may have no more than this, says of its sensors and their filter.
+pub fn load_sensors(name_or_path: &str) -> Result<Scene, InputError> {
+    if let Some(scene) = builtin::scene(name_or_path) {
+        return Ok(scene);
+    }
+    if !path_of(name_or_path).exists() {
+        return load(name_or_path);
+    }
+    parse::sensors(name_or_path, &read_text(name_or_path)?)
+}
+
 /// The same where something else may have been meant, which has these names.
 pub fn load_beside(name_or_path: &str, other: &[&str]) -> Result<Scene, InputError> {
     if let Some(scene) = builtin::scene(name_or_path) {

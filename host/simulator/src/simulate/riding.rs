@@ -2,6 +2,7 @@
 
 use super::{Refused, Vehicle, nine};
 use crate::aided::report::Report;
+use crate::aided::smoother::Smoothed;
 use crate::aided::vehicle::AidedVehicle;
 use crate::flight::Nine;
 use crate::navigator::{Navigate, Reader};
@@ -17,6 +18,8 @@ use std::rc::Rc;
 pub struct Claims {
     /// Standard deviations of its drift at the last row.
     pub sigma: Rc<Cell<Nine>>,
+    /// Its smoothed states, once it has ended.
+    pub smoothed: Rc<RefCell<Vec<Smoothed>>>,
     /// What became of the measurements, once it has ended.
     pub report: Rc<RefCell<Option<Report>>>,
 }
@@ -85,6 +88,7 @@ impl Vehicle for Riding {
         let before = self.integrated();
         self.vehicle.finish()?;
         self.read(before, read);
+        *self.claims.smoothed.borrow_mut() = self.vehicle.navigator().smoothed();
         *self.claims.report.borrow_mut() = Some(self.vehicle.report());
         Ok(())
     }

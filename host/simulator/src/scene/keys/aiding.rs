@@ -96,6 +96,7 @@ table! {
     PATIENCE = "patience": Said("an integer from 1 to 1000"), "5", "refusals in a row that are a lockout";
     LOCKOUT = "lockout": Said("\"inflate\", \"keep\""), "\"inflate\"", "what a lockout leads to: the filter doubts itself, or goes on refusing";
     HORIZON = "horizon_s": Number(DELAY), "none", "how long measurements wait for others: bits then do not depend on transport";
+    SMOOTHER = "smoother": Said("true, false"), "false", "whether the flight is smoothed afterwards: what all measurements together say of every instant";
     START_POSITION = "position_sigma_m": Number(CLAIMED), "that of [initial_error]", "what the first position is good for";
     START_VELOCITY = "velocity_sigma_m_s": Number(CLAIMED), "that of [initial_error]", "what the first velocity is good for";
     START_LEVEL = "level_sigma_deg": Number(ANGLE), "that of [initial_error]", "what the first roll and pitch are good for";

@@ -27,6 +27,18 @@ const LOCKOUTS: &[(&str, Lockout)] = &[("inflate", Lockout::Inflate), ("keep", L
 
 /// What aids the navigator of a scene; `until_s` is its end.
 pub fn read(root: &Section<'_>, until_s: f64) -> Result<Aiding, InputError> {
+    let aiding = given(root, until_s)?;
+    match root.table("filter", &keys::FILTER)? {
+        Some(section) if !aiding.is_there() => {
+            let accepted = "[gnss], [barometer], [odometer], [zero_velocity] or [non_holonomic]";
+            Err(section.error(Complaint::new("has nothing to filter", accepted)))
+        }
+        _ => Ok(aiding),
+    }
+}
+
+/// The same where measurements come from elsewhere: a filter needs no sensor beside it.
+pub fn given(root: &Section<'_>, until_s: f64) -> Result<Aiding, InputError> {
     let gnss =
         root.table("gnss", &keys::GNSS)?.map(|section| gnss(&section, until_s)).transpose()?;
     let antenna = gnss.map_or(Vector::ZERO, |gnss| gnss.lever_b);
@@ -40,21 +52,14 @@ pub fn read(root: &Section<'_>, until_s: f64) -> Result<Aiding, InputError> {
     let still = lined("zero_velocity", &keys::ZERO_VELOCITY)?.map(|section| still(&section));
     let wheels = lined("non_holonomic", &keys::NON_HOLONOMIC)?.map(|section| wheels(&section));
     let filter = root.table("filter", &keys::FILTER)?;
-    let aiding = Aiding {
+    Ok(Aiding {
         gnss,
         barometer: barometer.transpose()?,
         odometer: odometer.transpose()?,
         still: still.transpose()?,
         wheels: wheels.transpose()?,
         filter: filter.as_ref().map(filtering).transpose()?.unwrap_or_default(),
-    };
-    match filter {
-        Some(section) if !aiding.is_there() => {
-            let accepted = "[gnss], [barometer], [odometer], [zero_velocity] or [non_holonomic]";
-            Err(section.error(Complaint::new("has nothing to filter", accepted)))
-        }
-        _ => Ok(aiding),
-    }
+    })
 }
 
 /// When a sensor measures, and when that arrives.
@@ -206,6 +211,7 @@ fn filtering(section: &Section<'_>) -> Result<Filtering, InputError> {
             .get("lockout")
             .map_or(Ok(usual.lockout), |value| value.choice(LOCKOUTS))?,
         horizon_s: read(&keys::HORIZON)?,
+        smoother: section.get("smoother").map_or(Ok(false), |value| value.truth("true, false"))?,
         start: [
             read(&keys::START_POSITION)?,
             read(&keys::START_VELOCITY)?,

@@ -18,6 +18,8 @@ use sha2::{Digest as _, Sha256};
 use std::f64::consts::TAU;
 use std::path::Path;
 
+/// The length of a flight of which nothing is said but its sensors, s.
+const LENGTH_S: f64 = 3600.0;
 /// More samples than any window spans.
 const MOST_SAMPLES: u64 = 1000;
 
@@ -51,6 +53,32 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     navigator::check(&scene.navigator)
         .map_err(|unavailable| document.error(unavailable.key(), unavailable.complaint()))?;
     Ok(scene)
+}
+
+/// What a scene says of its sensors and their filter, from its text; the rest need not be there, and is not looked at.
+/// The scene that it gives has no motion.
+pub fn sensors(file: &str, text: &str) -> Result<Scene, InputError> {
+    let document = Document::parse(file, text)?;
+    let root = document.root(&keys::ROOT.names())?;
+    let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let duration_s = root.read(&keys::DURATION)?.unwrap_or(LENGTH_S);
+    let [gyro, accelerometer] = sensors::both(&root, duration_s)?;
+    Ok(Scene {
+        title: name.clone(),
+        name,
+        text_sha256: hash(text),
+        duration_s,
+        rate_hz: 1.0,
+        seed: 1,
+        trajectory: Trajectory::default(),
+        gyro,
+        accelerometer,
+        initial_error: initial_error(&root)?,
+        aiding: aiding::given(&root, duration_s)?,
+        alignment: None,
+        navigator: Navigator::default(),
+        link: Link::default(),
+    })
 }
 
 /// The length that is given, or that of the path.

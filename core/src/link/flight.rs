@@ -26,7 +26,6 @@ use super::message::Start;
 use super::refusal::Refusal;
 use crate::flight::catalogue::Entry;
 use crate::flight::flight::Flight;
-use crate::math::compensated::Pair;
 use crate::record::{Record, record};
 use crate::sample::Increment;
 use crate::solution::Solution;
@@ -34,7 +33,7 @@ use crate::strapdown::limits::Rejected;
 use crate::strapdown::plausible::Damaged;
 
 /// Samples that wait to be integrated, at most: no window has more.
-const MOST_WAITING: u64 = 64;
+pub(super) const MOST_WAITING: u64 = 64;
 
 /// A flight with what the link needs beside it.
 #[derive(Clone, Copy)]
@@ -62,18 +61,7 @@ pub enum Taken {
 impl<M: Entry> LinkedFlight<M> {
     /// As a host asks for it.
     pub fn start(start: &Start) -> Result<Self, Refusal> {
-        let mut bytes = start.initial;
-        let interval_s: Pair<M::Real> = bytes.pair().ok_or(Refusal::Malformed)?;
-        let mut initial = Solution::default();
-        let mut complete = true;
-        initial.restore("", &mut |_, _| {
-            let bits = bytes.bits::<M::Real>();
-            complete &= bits.is_some();
-            bits.unwrap_or(0)
-        });
-        if !complete || bytes.end().is_none() {
-            return Err(Refusal::Malformed);
-        }
+        let (interval_s, initial) = start.beginning()?;
         Self::new(M::configured(interval_s, start.order.into())?, initial, start.gap)
     }
 

@@ -75,6 +75,16 @@ impl<R: Sums + Record> Identification<R> {
         &self.axes
     }
 
+    /// Of the last 32 samples a bit each: none of them is missing.
+    pub fn came(&self) -> u32 {
+        u32::MAX.checked_shr(32_u32.saturating_sub(self.taken)).unwrap_or(0)
+    }
+
+    /// Digest of every sample so far.
+    pub fn digest(&self) -> u64 {
+        self.digest.value()
+    }
+
     /// Takes the sample of a number, from 1. None may be missing: what is filled in would look like a sensor.
     pub fn take(&mut self, number: u32, sample: &Increment<R>) -> Result<Taken, Refusal> {
         if number <= self.taken {
@@ -145,10 +155,9 @@ impl<R: Identified> Fleet for Identification<R> {
 
     fn write(&self, to: &mut Writer) {
         to.u32(self.taken);
-        // None is missing.
-        to.u32(u32::MAX.checked_shr(32_u32.saturating_sub(self.taken)).unwrap_or(0));
+        to.u32(self.came());
         to.u64(self.taken.into());
-        to.u64(self.digest.value());
+        to.u64(self.digest());
     }
 
     fn words(&self, read: &mut dyn FnMut(u64)) {

@@ -84,7 +84,7 @@ impl HilArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
         load(self.scene.as_deref(), &self.flight, &self.navigator, &self.handling)
-            .and_then(schuler_simulator::scene::unaided)
+            .and_then(schuler_simulator::scene::unaligned)
     }
 
     /// What is written of it.

@@ -1,6 +1,14 @@
 //! Target and twin in step: one sample out, one answer back, and every bit compared.
+//!
+//! | file | what it has |
+//! |---|---|
+//! | `start` | starting a target, and putting it back to where its twin stands |
+//! | `aiding` | measurements, and what a filter says |
+//! | `vehicle` | both sides as the vehicle of a flight |
 
+mod aiding;
 mod start;
+mod vehicle;
 
 use super::conversation::{Conversation, Outcome};
 use super::difference::{self, Difference};
@@ -16,9 +24,11 @@ use schuler::sample::Increment;
 use schuler_simulator::input::Complaint;
 use schuler_simulator::navigator::{Navigate, Reader};
 use schuler_simulator::scene::WindowShape;
-use schuler_simulator::simulate::{Refused, Vehicle};
+use schuler_simulator::simulate::Refused;
 use schuler_simulator::twin::{Beginning, Standing, Twin};
 use std::sync::{Arc, Mutex, PoisonError};
+
+pub use aiding::Aiding;
 
 /// What is left of a lockstep flight when it has ended, well or not.
 #[derive(Clone, Debug, Default)]
@@ -52,6 +62,8 @@ pub struct Parts {
     pub rate_hz: f64,
     /// In real time, if there is one.
     pub pace: Option<Pace>,
+    /// What aids the flight, if anything does.
+    pub aiding: Option<Aiding>,
 }
 
 /// A vehicle that is a target and its twin.
@@ -69,13 +81,14 @@ pub struct Lockstep {
     /// Samples that were given up, while it is not known which of them the target has.
     open: Vec<(u32, Vec<u8>)>,
     pace: Option<Pace>,
+    aiding: Option<Aiding>,
     log: Log,
 }
 
 impl Lockstep {
     /// Starts both sides; what happens is left in the log.
     pub fn start(parts: Parts, log: Log) -> Result<Self, Parted> {
-        let Parts { conversation, beginning, twin, navigator, rate_hz, pace } = parts;
+        let Parts { conversation, beginning, twin, navigator, rate_hz, pace, aiding } = parts;
         let mut lockstep = Self {
             conversation,
             beginning,
@@ -86,8 +99,10 @@ impl Lockstep {
             reached: 0,
             open: Vec::new(),
             pace,
+            aiding,
             log,
         };
+        lockstep.claim();
         let reply = lockstep.begin()?;
         lockstep.agree(reply)?;
         Ok(lockstep)
@@ -128,7 +143,7 @@ impl Lockstep {
 
     /// The twin takes what the target has taken.
     fn take(&mut self, number: u32, increment: &[u8], read: &mut Reader) -> Result<(), Parted> {
-        let taken = self.twin.take(number, increment, read);
+        let taken = self.by_twin(read, |twin, read| twin.take(number, increment, read));
         taken.map_err(|twin| Parted::Refusal { target: None, twin: Some(twin) })?;
         self.reached = number;
         Ok(())
@@ -138,7 +153,7 @@ impl Lockstep {
         match reply {
             Reply::Standing(standing) => self.compare(&standing),
             Reply::Refused(target, _) => Err(Parted::Refusal { target: Some(target), twin: None }),
-            Reply::Hello { .. } | Reply::Restoring(_) => Err(Parted::Answer("what it is asked")),
+            _ => Err(Parted::Answer("what it is asked")),
         }
     }
 
@@ -178,7 +193,8 @@ impl Lockstep {
                 self.compare(&standing).map(Ok)
             }
             Some(Reply::Refused(target, _)) => {
-                refused(Some(target), self.twin.take(number, &increment, read).err())
+                let twin = self.by_twin(read, |twin, read| twin.take(number, &increment, read));
+                refused(Some(target), twin.err())
             }
             Some(_) => Err(Parted::Answer("a sample")),
             None => {
@@ -211,7 +227,8 @@ impl Lockstep {
         if let Reply::Standing(standing) = &reply {
             self.settle(standing, read)?;
         }
-        let twin = self.twin.finish(self.samples, read).err();
+        let samples = self.samples;
+        let twin = self.by_twin(read, |twin, read| twin.finish(samples, read)).err();
         if twin.is_some() {
             return refused(reply.refusal(), twin);
         }
@@ -258,43 +275,7 @@ impl Lockstep {
 fn refused(target: Option<Refusal>, twin: Option<Refusal>) -> Result<Result<(), Refused>, Parted> {
     match target {
         Some(Refusal::Rejected(why)) if twin == target => Ok(Err(why.into())),
+        Some(Refusal::Aided(why)) if twin == target => Ok(Err(why.into())),
         _ => Err(Parted::Refusal { target, twin }),
-    }
-}
-
-impl Drop for Lockstep {
-    fn drop(&mut self) {
-        let mut tally = self.conversation.tally();
-        tally.bridged = self.twin.bridged().into();
-        self.ended(|ended| ended.tally = tally);
-    }
-}
-
-impl Vehicle for Lockstep {
-    fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Refused> {
-        self.sample(sample, read).map_err(|parted| self.stop(&parted))?
-    }
-
-    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Refused> {
-        self.hold(altitude_m, down_m_s).map_err(|parted| self.stop(&parted))?
-    }
-
-    fn finish(&mut self, read: &mut Reader) -> Result<(), Refused> {
-        self.end(read).map_err(|parted| self.stop(&parted))?
-    }
-
-    // The target has not taken what its twin has not.
-    fn break_off(&mut self, _: &mut Reader) {}
-
-    fn integrated(&self) -> u64 {
-        self.twin.standing().integrated
-    }
-
-    fn digest(&self) -> u64 {
-        self.twin.standing().digest
-    }
-
-    fn navigator(&self) -> &dyn Navigate {
-        self.navigator.as_ref()
     }
 }

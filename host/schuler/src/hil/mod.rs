@@ -30,14 +30,18 @@ use channel::Channel;
 use conversation::{Conversation, Outcome};
 use faults::Rates;
 use injector::Injector;
-use lockstep::{Ended, Lockstep, Log, Parts};
+use lockstep::{Aiding, Ended, Lockstep, Log, Parts};
 use pace::Pace;
 use patience::{PATIENCE, Patience};
 use reply::Reply;
 use schuler::flight::configuration::Configuration;
 use schuler::link::message::VERSION;
+use schuler::link::offer::{Offer, Purpose};
+use schuler::link::refusal::Refusal;
 use schuler::math::compensated::Pair;
 use schuler::solution::Solution;
+use schuler::strapdown::block::window::{H0B4A0, Window as _};
+use schuler_simulator::aided::measurements::Arrivals;
 use schuler_simulator::flight::{Flight, LinkReport};
 use schuler_simulator::input::name::path_of;
 use schuler_simulator::input::{Complaint, InputError};
@@ -162,7 +166,7 @@ fn check(flight: &Flight) -> Result<(), FlightError> {
 pub struct Met {
     conversation: Conversation,
     /// What it can fly.
-    offers: Vec<Configuration>,
+    offers: Vec<Offer>,
 }
 
 /// Flies a scene in step with a target to its end; what happened on the link is left in the log,
@@ -190,9 +194,14 @@ pub fn fly_as_far(
 ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
     let Met { mut conversation, offers } = met;
     let planned = Plan::new(scene, &Source::new(scene, false)?, false).window;
-    let configuration = choice::choose(&scene.navigator, planned, &offers)?;
+    let is_aided = scene.aiding.is_there();
+    let configuration = if is_aided {
+        aided_configuration(scene, &offers)?
+    } else {
+        choice::choose(&scene.navigator, planned, &offers)?
+    };
     let mut scene = scene.clone();
-    let flown = configuration.window();
+    let flown = if is_aided { scene.navigator.window } else { configuration.window() };
     if scene.navigator.window.is_none() && flown.is_some_and(|flown| flown != planned) {
         log.lock().unwrap_or_else(PoisonError::into_inner).planned_window = Some(planned);
     }
@@ -200,8 +209,17 @@ pub fn fly_as_far(
     if let Some((rates, seed)) = manner.faults {
         conversation = conversation.wrap(|channel| Box::new(Injector::new(channel, rates, seed)));
     }
-    let simulation = Simulation::new(&scene, false)?.aboard(|plan, initial| {
-        let parts = parts(&scene, plan, initial, conversation, configuration, manner)?;
+    let simulation = Simulation::new(&scene, false)?;
+    let aiding = match simulation.claims() {
+        Some(claims) => {
+            let arrivals = Arrivals::new(&scene, &Source::new(&scene, false)?, 0);
+            Some(Aiding { arrivals, claims })
+        }
+        None => None,
+    };
+    let simulation = simulation.aboard(|plan, initial| {
+        let mut parts = parts(&scene, plan, initial, conversation, configuration, manner)?;
+        parts.aiding = aiding;
         let lockstep = Lockstep::start(parts, log.clone()).map_err(stopped)?;
         Ok::<Box<dyn Vehicle>, FlightError>(Box::new(lockstep))
     })?;
@@ -215,6 +233,14 @@ pub fn fly_as_far(
     Ok((flight, end))
 }
 
+/// What an aided scene flies: there is one window, and a series as long as that has.
+fn aided_configuration(scene: &Scene, offers: &[Offer]) -> Result<Configuration, FlightError> {
+    let navigator = &scene.navigator;
+    let configuration = navigator.configuration(H0B4A0::SHAPE);
+    choice::exactly(Offer { purpose: Purpose::Aiding, configuration }, offers)?;
+    Ok(configuration)
+}
+
 fn parts(
     scene: &Scene,
     plan: &Plan,
@@ -226,14 +252,25 @@ fn parts(
     let (rate_hz, navigator) = (scene.rate_hz, &scene.navigator);
     let interval_s = Pair::new(rate_hz).reciprocal();
     let gap = navigator.gap.into();
-    let beginning = Beginning::new(configuration, plan.order, gap, interval_s, initial);
-    let twin = Twin::start(&beginning).map_err(|refusal| {
-        let complaint = Complaint::new(refusal.to_string(), "");
-        FlightError::Input(InputError::option("navigator", complaint))
-    })?;
+    let is_aided = scene.aiding.is_there();
+    let order = if is_aided { usize::MAX } else { plan.order };
+    let mut beginning = Beginning::new(configuration, order, gap, interval_s, initial);
+    if is_aided {
+        beginning = beginning.aided(scene);
+    }
+    let refused = |key: &'static str| {
+        move |refusal: Refusal| {
+            let complaint = Complaint::new(refusal.to_string(), "");
+            FlightError::Input(InputError::option(key, complaint))
+        }
+    };
+    let mut twin = Twin::start(&beginning).map_err(refused("navigator"))?;
+    if let Some(settings) = beginning.settings() {
+        twin.aid(settings).map_err(refused("filter"))?;
+    }
     let navigator = navigator::start(navigator, plan.window, plan.order, interval_s, initial)?;
     let pace = manner.stream.then(|| Pace::new(rate_hz));
-    Ok(Parts { conversation, beginning, twin, navigator, rate_hz, pace })
+    Ok(Parts { conversation, beginning, twin, navigator, rate_hz, pace, aiding: None })
 }
 
 /// Greets the target at the end of a channel; `device` is what users call it.

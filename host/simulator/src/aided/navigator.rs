@@ -102,7 +102,7 @@ where
         state,
         carried: Carried::default(),
         digest: Digest::default(),
-        seen: Seen { rate_hz: scene.rate_hz, judged: Vec::new(), restarts: Vec::new() },
+        seen: Seen::new(scene.rate_hz),
     }))
 }
 
@@ -118,11 +118,34 @@ struct Flying<M: Mechanization> {
 }
 
 /// What is seen of the filter.
-struct Seen {
+pub(crate) struct Seen {
     rate_hz: f64,
     judged: Vec<Judgement>,
     /// When the filter started again, s.
     restarts: Vec<f64>,
+}
+
+impl Seen {
+    /// Nothing yet.
+    pub(crate) fn new(rate_hz: f64) -> Self {
+        Self { rate_hz, judged: Vec::new(), restarts: Vec::new() }
+    }
+
+    /// What became of the measurements.
+    pub(crate) fn report<
+        M: Mechanization,
+        const N: usize,
+        const P: usize,
+        const E: usize,
+        const L: usize,
+        const Q: usize,
+    >(
+        &self,
+        state: &AidedState<M, N, P, E, L, Q>,
+    ) -> Report {
+        let lockouts = Sensor::ALL.map(|sensor| state.tally(sensor).lockouts());
+        Report::new(&self.judged, &self.restarts, lockouts, *state.transport())
+    }
 }
 
 impl<R: Scalar, const N: usize, const P: usize, const E: usize> Witness<R, N, P, E> for Seen {
@@ -138,7 +161,7 @@ impl<R: Scalar, const N: usize, const P: usize, const E: usize> Witness<R, N, P,
 }
 
 /// A measurement in other digits.
-fn narrowed<R: Scalar>(measured: &Measured<f64>) -> Measured<R> {
+pub(crate) fn narrowed<R: Scalar>(measured: &Measured<f64>) -> Measured<R> {
     let of = |x: f64| R::narrow(x);
     let Measured { at, kind, position, velocity, position_sigma, velocity_sigma } = *measured;
     Measured {
@@ -197,8 +220,6 @@ where
     }
 
     fn report(&self) -> Report {
-        let lockouts = Sensor::ALL.map(|sensor| self.state.tally(sensor).lockouts());
-        let transport = *self.state.transport();
-        Report::new(&self.seen.judged, &self.seen.restarts, lockouts, transport)
+        self.seen.report(&self.state)
     }
 }

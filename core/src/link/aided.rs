@@ -23,14 +23,14 @@
 //! let bias = [5e-5, 1e-3].map(Process::constant);
 //! let first = Start { position_m: 1.0, velocity_m_s: 0.1, level_rad: 3e-3, heading_rad: 0.03 };
 //! flight.aid(&Settings::new(States::new(3e-5, 8e-4, bias[0], bias[1]), first))?;
-//! flight.measure(&Measured::zero_velocity(Instant::of_sample(1), 0.1))?;
+//! flight.measure(1, &Measured::zero_velocity(Instant::of_sample(1), 0.1))?;
 //! assert_eq!(flight.take(1, Increment::ZERO, &mut ()), Ok(Taken::Flown));
 //! assert!(flight.flying().is_some_and(|(_, state)| state.queue().waiting().len() == 1));
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 
-use super::flight::Taken;
-use super::gap::{Bridge, MOST_BRIDGED, Policy};
+use super::flight::{Taken, missing};
+use super::gap::{Bridge, Policy};
 use super::refusal::Refusal;
 use crate::aiding::aided::fault::AidedFault;
 use crate::aiding::aided::measured::Measured;
@@ -67,6 +67,8 @@ pub struct LinkedAided<
     /// Number of the last sample, and of the last 32 a bit each: whether it came.
     pub(super) taken: u32,
     pub(super) came: u32,
+    /// Number of the last measurement.
+    pub(super) measured: u32,
     /// 1 after the end of the stream.
     pub(super) finished: u32,
 }
@@ -115,6 +117,7 @@ where
             bridge: Bridge::new(gap),
             taken: 0,
             came: 0,
+            measured: 0,
             finished: 0,
         })
     }
@@ -129,8 +132,12 @@ where
         Ok(())
     }
 
-    /// Takes a measurement. What comes again, too late, or finds no room is counted.
-    pub fn measure(&mut self, measured: &Measured<R>) -> Result<(), Refusal> {
+    /// Takes the measurement of a number, from 1. What a sensor says again, too late, or without room for it is
+    /// counted.
+    pub fn measure(&mut self, number: u32, measured: &Measured<R>) -> Result<Taken, Refusal> {
+        if number <= self.measured {
+            return Ok(Taken::Again);
+        }
         if self.finished != 0 {
             return Err(Refusal::Finished);
         }
@@ -138,9 +145,11 @@ where
             return Err(Refusal::Unaided);
         };
         match aided.measure(state, measured) {
-            Err(AidedFault::Late | AidedFault::Again | AidedFault::Full) => Ok(()),
-            done => Ok(done?),
+            Ok(()) | Err(AidedFault::Late | AidedFault::Again | AidedFault::Full) => {}
+            Err(fault) => return Err(fault.into()),
         }
+        self.measured = number;
+        Ok(Taken::Flown)
     }
 
     /// Takes the sample of a number, from 1. Refused, it leaves everything as it was.
@@ -156,7 +165,7 @@ where
         if self.finished != 0 {
             return Err(Refusal::Finished);
         }
-        let missing = self.missing_up_to(number.saturating_sub(1))?;
+        let missing = missing(self.taken, number.saturating_sub(1))?;
         self.fly(missing, Some(sample), witness)?;
         self.taken = number;
         self.came = self.came.unbounded_shl(missing) << 1 | 1;
@@ -175,7 +184,7 @@ where
         if samples < self.taken {
             return Err(Refusal::Count);
         }
-        let missing = self.missing_up_to(samples)?;
+        let missing = missing(self.taken, samples)?;
         self.fly(missing, None, witness)?;
         if let Stage::Flying { aided, state } = &mut self.stage {
             aided.finish(state, witness);
@@ -186,12 +195,6 @@ where
         self.came = self.came.unbounded_shl(missing);
         self.finished = 1;
         Ok(Taken::Flown)
-    }
-
-    /// Samples missing after the last one taken, up to a number.
-    fn missing_up_to(&self, number: u32) -> Result<u32, Refusal> {
-        let missing = number.saturating_sub(self.taken);
-        if missing > MOST_BRIDGED { Err(Refusal::Gap) } else { Ok(missing) }
     }
 
     /// Flies a sample after those that are missing before it; none ends the stream.

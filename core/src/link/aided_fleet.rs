@@ -116,11 +116,11 @@ where
         LinkedAided::aid(self, &known)
     }
 
-    fn measure(&mut self, mut measured: Bytes) -> Result<(), Refusal> {
+    fn measure(&mut self, number: u32, mut measured: Bytes) -> Result<Taken, Refusal> {
         let none = Measured::zero_velocity(Instant::of_sample(0), R::ONE);
         let known = measured.record(none).ok_or(Refusal::Malformed)?;
         measured.end().ok_or(Refusal::Malformed)?;
-        LinkedAided::measure(self, &known)
+        LinkedAided::measure(self, number, &known)
     }
 
     fn visit<V: Visitor>(&mut self, _: V) -> Option<V::Result> {
@@ -142,6 +142,7 @@ where
         self.bridge.record("bridge", read);
         self.taken.record("taken", read);
         self.came.record("came", read);
+        self.measured.record("measured", read);
         self.finished.record("finished", read);
     }
 
@@ -152,6 +153,7 @@ where
         self.bridge.restore("bridge", write);
         self.taken.restore("taken", write);
         self.came.restore("came", write);
+        self.measured.restore("measured", write);
         self.finished.restore("finished", write);
     }
 }

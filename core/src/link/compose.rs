@@ -129,9 +129,9 @@ macro_rules! fleet {
                 }
 
                 #[inline]
-                fn measure(&mut self, measured: Bytes) -> Result<(), Refusal> {
+                fn measure(&mut self, number: u32, measured: Bytes) -> Result<Taken, Refusal> {
                     match self {
-                        $(Self::$variant(fleet) => Fleet::measure(fleet, measured),)+
+                        $(Self::$variant(fleet) => Fleet::measure(fleet, number, measured),)+
                     }
                 }
 

@@ -58,8 +58,9 @@ pub trait Fleet: Copy {
     fn aid(&mut self, _settings: Bytes) -> Result<(), Refusal> {
         Err(Refusal::Unaided)
     }
-    /// Takes a measurement. What comes again, too late, or finds no room is counted.
-    fn measure(&mut self, _measured: Bytes) -> Result<(), Refusal> {
+    /// Takes the measurement of a number, from 1. What a sensor says again, too late, or without room for it is
+    /// counted.
+    fn measure(&mut self, _number: u32, _measured: Bytes) -> Result<Taken, Refusal> {
         Err(Refusal::Unaided)
     }
     /// Shows the flight, whatever its mechanization; `None` if it is no flight by inertia alone.

@@ -58,6 +58,12 @@ pub enum Taken {
     Again,
 }
 
+/// How many samples are missing after the last one taken, up to a number.
+pub(super) fn missing(taken: u32, number: u32) -> Result<u32, Refusal> {
+    let missing = number.saturating_sub(taken);
+    if missing > MOST_BRIDGED { Err(Refusal::Gap) } else { Ok(missing) }
+}
+
 impl<M: Entry> LinkedFlight<M> {
     /// As a host asks for it.
     pub fn start(start: &Start) -> Result<Self, Refusal> {
@@ -88,7 +94,7 @@ impl<M: Entry> LinkedFlight<M> {
         if self.finished != 0 {
             return Err(Refusal::Finished);
         }
-        let missing = self.missing_up_to(number.saturating_sub(1))?;
+        let missing = missing(self.taken, number.saturating_sub(1))?;
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, Some(sample), push);
         if flown.is_err() {
@@ -114,7 +120,7 @@ impl<M: Entry> LinkedFlight<M> {
         if samples < self.taken {
             return Err(Refusal::Count);
         }
-        let missing = self.missing_up_to(samples)?;
+        let missing = missing(self.taken, samples)?;
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, None, push);
         if flown.is_err() {
@@ -127,12 +133,6 @@ impl<M: Entry> LinkedFlight<M> {
         self.flight.finish_by(finish);
         self.finished = 1;
         Ok(Taken::Flown)
-    }
-
-    /// How many samples are missing after the last one taken, up to a number.
-    fn missing_up_to(&self, number: u32) -> Result<u32, Refusal> {
-        let missing = number.saturating_sub(self.taken);
-        if missing > MOST_BRIDGED { Err(Refusal::Gap) } else { Ok(missing) }
     }
 
     /// Flies a sample after those that are missing before it; none ends the stream.

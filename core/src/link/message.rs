@@ -111,8 +111,13 @@ pub enum Request<'a> {
     Reset,
     /// The settings of an aided flight: their record, eight bytes a word.
     Aid(Bytes<'a>),
-    /// A measurement: its record, eight bytes a word.
-    Measure(Bytes<'a>),
+    /// A measurement.
+    Measure {
+        /// Its number, from 1: one that is sent again is known by it.
+        number: u32,
+        /// Its record, eight bytes a word.
+        measured: Bytes<'a>,
+    },
     /// Which words does the state have?
     Read {
         /// From this one on.
@@ -132,7 +137,7 @@ impl<'a> Request<'a> {
             Self::Finish { .. } => Kind::Finish,
             Self::Reset => Kind::Reset,
             Self::Aid(_) => Kind::Aid,
-            Self::Measure(_) => Kind::Measure,
+            Self::Measure { .. } => Kind::Measure,
             Self::Read { .. } => Kind::Read,
         }
     }
@@ -159,7 +164,11 @@ impl<'a> Request<'a> {
                 to.u32(*number);
                 to.bytes(increment.0);
             }
-            Self::Hold(words) | Self::Aid(words) | Self::Measure(words) => to.bytes(words.0),
+            Self::Hold(words) | Self::Aid(words) => to.bytes(words.0),
+            Self::Measure { number, measured } => {
+                to.u32(*number);
+                to.bytes(measured.0);
+            }
             Self::Read { offset } => to.u16(*offset),
             Self::Finish { samples } => to.u32(*samples),
         }
@@ -189,7 +198,7 @@ impl<'a> Request<'a> {
             Kind::Hold => Self::Hold(bytes.rest()),
             Kind::Finish => Self::Finish { samples: bytes.u32()? },
             Kind::Aid => Self::Aid(bytes.rest()),
-            Kind::Measure => Self::Measure(bytes.rest()),
+            Kind::Measure => Self::Measure { number: bytes.u32()?, measured: bytes.rest() },
             Kind::Read => Self::Read { offset: bytes.u16()? },
             Kind::Hello | Kind::Solution | Kind::Restoring | Kind::Refused | Kind::State => {
                 return None;

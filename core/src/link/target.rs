@@ -159,7 +159,11 @@ impl<F: Fleet> Application<F> {
             }
             Request::Hold(vertical) => self.flying()?.hold(*vertical)?,
             Request::Aid(settings) => self.flying()?.aid(*settings)?,
-            Request::Measure(measured) => self.flying()?.measure(*measured)?,
+            Request::Measure { number, measured } => {
+                if self.flying()?.measure(*number, *measured)? == Taken::Again {
+                    count(&mut self.counters.repeated);
+                }
+            }
             Request::Read { offset } => {
                 self.flying()?;
                 return Ok(Reply::State(*offset));

@@ -193,9 +193,9 @@ impl Twin {
         self.side.measured(measured)
     }
 
-    /// Takes a measurement.
-    pub fn measure(&mut self, measured: &[u8]) -> Result<(), Refusal> {
-        self.side.measure(Bytes(measured))
+    /// Takes the measurement of a number, from 1.
+    pub fn measure(&mut self, number: u32, measured: &[u8]) -> Result<Taken, Refusal> {
+        self.side.measure(number, Bytes(measured))
     }
 
     /// The covariance of its drift by its filter, if it has one: position, velocity, attitude, north, east, down,

@@ -4,9 +4,11 @@
 //! |---|---|
 //! | `start` | starting a target, and putting it back to where its twin stands |
 //! | `aiding` | measurements, and what a filter says |
+//! | `read` | the whole state of a target, beside its twin's |
 //! | `vehicle` | both sides as the vehicle of a flight |
 
 mod aiding;
+mod read;
 mod start;
 mod vehicle;
 
@@ -22,13 +24,14 @@ use schuler::link::gap::{MOST_BRIDGED, Policy};
 use schuler::link::{message::Request, refusal::Refusal};
 use schuler::sample::Increment;
 use schuler_simulator::input::Complaint;
-use schuler_simulator::navigator::{Navigate, Reader};
+use schuler_simulator::navigator::Reader;
 use schuler_simulator::scene::WindowShape;
 use schuler_simulator::simulate::Refused;
 use schuler_simulator::twin::{Beginning, Standing, Twin};
 use std::sync::{Arc, Mutex, PoisonError};
 
 pub use aiding::Aiding;
+pub use vehicle::Boarded;
 
 /// What is left of a lockstep flight when it has ended, well or not.
 #[derive(Clone, Debug, Default)]
@@ -56,8 +59,6 @@ pub struct Parts {
     pub beginning: Beginning,
     /// The host's side.
     pub twin: Twin,
-    /// A navigator of the same kind, whose time is taken.
-    pub navigator: Box<dyn Navigate>,
     /// Samples per second.
     pub rate_hz: f64,
     /// In real time, if there is one.
@@ -66,13 +67,11 @@ pub struct Parts {
     pub aiding: Option<Aiding>,
 }
 
-/// A vehicle that is a target and its twin.
+/// A target and its twin.
 pub struct Lockstep {
     conversation: Conversation,
     beginning: Beginning,
     twin: Twin,
-    /// The host's own, for the time that it takes.
-    navigator: Box<dyn Navigate>,
     rate_hz: f64,
     /// Samples so far.
     samples: u32,
@@ -88,12 +87,11 @@ pub struct Lockstep {
 impl Lockstep {
     /// Starts both sides; what happens is left in the log.
     pub fn start(parts: Parts, log: Log) -> Result<Self, Parted> {
-        let Parts { conversation, beginning, twin, navigator, rate_hz, pace, aiding } = parts;
+        let Parts { conversation, beginning, twin, rate_hz, pace, aiding } = parts;
         let mut lockstep = Self {
             conversation,
             beginning,
             twin,
-            navigator,
             rate_hz,
             samples: 0,
             reached: 0,
@@ -221,7 +219,8 @@ impl Lockstep {
         }
     }
 
-    fn end(&mut self, read: &mut Reader) -> Result<Result<(), Refused>, Parted> {
+    /// The end of the stream: both sides take what waits, and of an aided flight the whole state is compared.
+    pub(super) fn end(&mut self, read: &mut Reader) -> Result<Result<(), Refused>, Parted> {
         let request = Request::Finish { samples: self.samples };
         let reply = self.ask(&request)?.ok_or(Parted::Silence("the end of the stream"))?;
         if let Reply::Standing(standing) = &reply {
@@ -233,6 +232,9 @@ impl Lockstep {
             return refused(reply.refusal(), twin);
         }
         self.agree(reply)?;
+        if self.aiding.is_some() {
+            self.read_back()?;
+        }
         // What was put in shows only in the frames that follow it.
         if self.conversation.calm() {
             for _ in 0..2 {

@@ -11,11 +11,13 @@ pub mod cutter;
 pub mod device;
 pub mod difference;
 pub mod faults;
+pub mod identify;
 pub mod in_process;
 pub mod injector;
 pub mod lockstep;
 pub mod pace;
 pub mod parted;
+mod parts;
 pub mod patience;
 pub mod reply;
 pub mod serve;
@@ -30,29 +32,20 @@ use channel::Channel;
 use conversation::{Conversation, Outcome};
 use faults::Rates;
 use injector::Injector;
-use lockstep::{Aiding, Ended, Lockstep, Log, Parts};
-use pace::Pace;
+use lockstep::{Boarded, Ended, Lockstep, Log};
 use patience::{PATIENCE, Patience};
 use reply::Reply;
-use schuler::flight::configuration::Configuration;
 use schuler::link::message::VERSION;
-use schuler::link::offer::{Offer, Purpose};
-use schuler::link::refusal::Refusal;
-use schuler::math::compensated::Pair;
-use schuler::solution::Solution;
-use schuler::strapdown::block::window::{H0B4A0, Window as _};
-use schuler_simulator::aided::measurements::Arrivals;
+use schuler::link::offer::Offer;
 use schuler_simulator::flight::{Flight, LinkReport};
 use schuler_simulator::input::name::path_of;
 use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::navigator;
 use schuler_simulator::output::say;
 use schuler_simulator::plan::Plan;
 use schuler_simulator::progress::Progress;
 use schuler_simulator::scene::Scene;
 use schuler_simulator::simulate::{FlightError, Simulation, Vehicle};
 use schuler_simulator::source::Source;
-use schuler_simulator::twin::{Beginning, Twin};
 use std::path::{Path, PathBuf};
 use std::sync::PoisonError;
 use std::time::Duration;
@@ -77,6 +70,9 @@ pub struct Manner {
 /// files of `run`.
 pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
+    if args.allan {
+        return identify::identify(args, &scene);
+    }
     let directory =
         args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(path_of(&scene.name)));
     report::files::tell_replaced(&directory);
@@ -196,7 +192,7 @@ pub fn fly_as_far(
     let planned = Plan::new(scene, &Source::new(scene, false)?, false).window;
     let is_aided = scene.aiding.is_there();
     let configuration = if is_aided {
-        aided_configuration(scene, &offers)?
+        parts::aided(scene, &offers)?
     } else {
         choice::choose(&scene.navigator, planned, &offers)?
     };
@@ -210,18 +206,12 @@ pub fn fly_as_far(
         conversation = conversation.wrap(|channel| Box::new(Injector::new(channel, rates, seed)));
     }
     let simulation = Simulation::new(&scene, false)?;
-    let aiding = match simulation.claims() {
-        Some(claims) => {
-            let arrivals = Arrivals::new(&scene, &Source::new(&scene, false)?, 0);
-            Some(Aiding { arrivals, claims })
-        }
-        None => None,
-    };
+    let claims = simulation.claims();
     let simulation = simulation.aboard(|plan, initial| {
-        let mut parts = parts(&scene, plan, initial, conversation, configuration, manner)?;
-        parts.aiding = aiding;
+        let asked = (configuration, claims);
+        let (parts, navigator) = parts::of(&scene, plan, initial, conversation, asked, manner)?;
         let lockstep = Lockstep::start(parts, log.clone()).map_err(stopped)?;
-        Ok::<Box<dyn Vehicle>, FlightError>(Box::new(lockstep))
+        Ok::<Box<dyn Vehicle>, FlightError>(Box::new(Boarded::new(lockstep, navigator)))
     })?;
     let (mut flight, end) = simulation.fly_as_far(observe, progress)?;
     // What the target has filled in is no more the scene's than what the scene itself has lost.
@@ -231,46 +221,6 @@ pub fn fly_as_far(
         flight.forget_theory();
     }
     Ok((flight, end))
-}
-
-/// What an aided scene flies: there is one window, and a series as long as that has.
-fn aided_configuration(scene: &Scene, offers: &[Offer]) -> Result<Configuration, FlightError> {
-    let navigator = &scene.navigator;
-    let configuration = navigator.configuration(H0B4A0::SHAPE);
-    choice::exactly(Offer { purpose: Purpose::Aiding, configuration }, offers)?;
-    Ok(configuration)
-}
-
-fn parts(
-    scene: &Scene,
-    plan: &Plan,
-    initial: &Solution<f64>,
-    conversation: Conversation,
-    configuration: Configuration,
-    manner: &Manner,
-) -> Result<Parts, FlightError> {
-    let (rate_hz, navigator) = (scene.rate_hz, &scene.navigator);
-    let interval_s = Pair::new(rate_hz).reciprocal();
-    let gap = navigator.gap.into();
-    let is_aided = scene.aiding.is_there();
-    let order = if is_aided { usize::MAX } else { plan.order };
-    let mut beginning = Beginning::new(configuration, order, gap, interval_s, initial);
-    if is_aided {
-        beginning = beginning.aided(scene);
-    }
-    let refused = |key: &'static str| {
-        move |refusal: Refusal| {
-            let complaint = Complaint::new(refusal.to_string(), "");
-            FlightError::Input(InputError::option(key, complaint))
-        }
-    };
-    let mut twin = Twin::start(&beginning).map_err(refused("navigator"))?;
-    if let Some(settings) = beginning.settings() {
-        twin.aid(settings).map_err(refused("filter"))?;
-    }
-    let navigator = navigator::start(navigator, plan.window, plan.order, interval_s, initial)?;
-    let pace = manner.stream.then(|| Pace::new(rate_hz));
-    Ok(Parts { conversation, beginning, twin, navigator, rate_hz, pace, aiding: None })
 }
 
 /// Greets the target at the end of a channel; `device` is what users call it.

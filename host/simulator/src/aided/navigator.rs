@@ -5,7 +5,6 @@ use super::settings;
 use crate::input::{Complaint, InputError};
 use crate::scene::{Algorithm, Axes, Precision, Scene};
 use schuler::aiding::aided::fault::AidedFault;
-use schuler::aiding::aided::instant::Instant;
 use schuler::aiding::aided::measured::{Measured, Sensor};
 use schuler::aiding::aided::navigator::Aided;
 use schuler::aiding::aided::state::AidedState;
@@ -160,27 +159,13 @@ impl<R: Scalar, const N: usize, const P: usize, const E: usize> Witness<R, N, P,
     }
 }
 
-/// A measurement in other digits.
-pub(crate) fn narrowed<R: Scalar>(measured: &Measured<f64>) -> Measured<R> {
-    let of = |x: f64| R::narrow(x);
-    let Measured { at, kind, position, velocity, position_sigma, velocity_sigma } = *measured;
-    Measured {
-        at: Instant { samples: at.samples, part: of(at.part) },
-        kind,
-        position: position.map(Pair::narrow),
-        velocity: velocity.map(of),
-        position_sigma: position_sigma.map(of),
-        velocity_sigma: velocity_sigma.map(of),
-    }
-}
-
 impl<R, M> Aids for Flying<M>
 where
     R: Scalar + Real<Mask = bool> + Record + Send,
     M: Mechanization<Real = R, Body = BodyMotion<R>, Frame: Record, State: Send> + Send + 'static,
 {
     fn measure(&mut self, measured: &Measured<f64>) -> Result<(), AidedFault> {
-        match self.aided.measure(&mut self.state, &narrowed(measured)) {
+        match self.aided.measure(&mut self.state, &Measured::narrow(measured)) {
             Err(AidedFault::Late | AidedFault::Again | AidedFault::Full) => Ok(()),
             done => done,
         }

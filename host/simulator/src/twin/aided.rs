@@ -2,7 +2,7 @@
 
 use super::side::Side;
 use super::{Standing, scalars, words};
-use crate::aided::navigator::{Seen, narrowed};
+use crate::aided::navigator::Seen;
 use crate::aided::report::Report;
 use crate::navigator::Reader;
 use schuler::aiding::aided::measured::Measured;
@@ -87,11 +87,11 @@ where
     }
 
     fn measured(&self, measured: &Measured<f64>) -> Vec<u8> {
-        words(&narrowed::<R>(measured))
+        words(&Measured::<R>::narrow(measured))
     }
 
-    fn measure(&mut self, measured: Bytes) -> Result<(), Refusal> {
-        Fleet::measure(&mut self.flight, measured)
+    fn measure(&mut self, number: u32, measured: Bytes) -> Result<Taken, Refusal> {
+        Fleet::measure(&mut self.flight, number, measured)
     }
 
     fn covariance(&self) -> Option<[[f64; 9]; 9]> {

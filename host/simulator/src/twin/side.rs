@@ -42,7 +42,7 @@ pub(super) trait Side: Send {
         Vec::new()
     }
     /// Takes a measurement.
-    fn measure(&mut self, _: Bytes) -> Result<(), Refusal> {
+    fn measure(&mut self, _: u32, _: Bytes) -> Result<Taken, Refusal> {
         Err(Refusal::Unaided)
     }
     /// The covariance of its drift by its filter.

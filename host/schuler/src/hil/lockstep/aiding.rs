@@ -16,6 +16,8 @@ use schuler_simulator::twin::Twin;
 pub struct Aiding {
     /// Measurements on their way.
     pub arrivals: Arrivals,
+    /// Measurements so far.
+    pub sent: u32,
     /// Where the filter says what it claims.
     pub claims: Claims,
 }
@@ -25,9 +27,12 @@ impl Lockstep {
     /// way is sent until it is answered.
     pub(super) fn measure_due(&mut self, read: &mut Reader) -> Result<Result<(), Refused>, Parted> {
         let next = u64::from(self.samples) + 1;
-        while let Some(measured) = self.aiding.as_mut().and_then(|aiding| aiding.arrivals.by(next))
+        while let Some(aiding) = &mut self.aiding
+            && let Some(measured) = aiding.arrivals.by(next)
         {
-            if let Err(refused) = self.measure(&measured, read)? {
+            aiding.sent += 1;
+            let number = aiding.sent;
+            if let Err(refused) = self.measure(number, &measured, read)? {
                 return Ok(Err(refused));
             }
         }
@@ -36,18 +41,19 @@ impl Lockstep {
 
     fn measure(
         &mut self,
+        number: u32,
         measured: &Measured<f64>,
         read: &mut Reader,
     ) -> Result<Result<(), Refused>, Parted> {
-        let words = self.twin.measured(measured);
+        let measured = self.twin.measured(measured);
         let before = self.conversation.happened();
-        let reply = self.ask(&Request::Measure(Bytes(&words)));
+        let reply = self.ask(&Request::Measure { number, measured: Bytes(&measured) });
         self.note(before);
         let reply = reply?.ok_or(Parted::Silence("a measurement"))?;
         if let Reply::Standing(standing) = &reply {
             self.settle(standing, read)?;
         }
-        let twin = self.twin.measure(&words).err();
+        let twin = self.twin.measure(number, &measured).err();
         if twin.is_some() {
             return refused(reply.refusal(), twin);
         }

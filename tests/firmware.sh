@@ -24,11 +24,11 @@ images=$(realpath -m "${CARGO_TARGET_DIR:-tests/firmware/target}")
 build_program
 builds=$(runner builds)
 while read -r triple board; do
-    bins=(--bin selftest --bin budget --bin single --bin single-planned --bin navigator-f32)
-    # The image that `schuler hil` looks for: every mechanization, f64 in software among them. And paths
-    # that are compiled on the target, in f64 too.
+    bins=(--bin selftest --bin budget --bin aiding --bin single --bin single-planned --bin navigator-f32)
+    # The image that `schuler hil` looks for: every mechanization, f64 in software among them. Aided flights. And
+    # paths that are compiled on the target, in f64 too.
     if [ "$board $triple" = "mps2 thumbv7em-none-eabihf" ]; then
-        bins+=(--bin navigator --bin circuit)
+        bins+=(--bin navigator --bin navigator-aided --bin circuit)
     fi
     status=0
     (cd tests/firmware &&
@@ -50,7 +50,7 @@ lint() {
 if rustc --print target-libdir --target thumbv7em-none-eabihf 2>/dev/null | xargs -r test -d &&
     cargo clippy --version >/dev/null 2>&1; then
     lint mps2,semihosting --bins
-    lint mps2,rtt,dwt --bin selftest --bin budget
+    lint mps2,rtt,dwt --bin selftest --bin budget --bin aiding
 else
     echo "skipped: clippy over the firmware (rustup target add thumbv7em-none-eabihf)"
 fi

@@ -136,7 +136,7 @@ where
         if state.integrated() != before {
             nav.row(state.integrated(), M::frame(state.navigator()), reader);
             digest.add(M::frame(state.navigator()));
-            if state.integrated() % FILTER == 0 {
+            if state.integrated() % FILTER == 0 && sample < u64::from(SCENE.samples()) {
                 filter.row(state.integrated(), state.filter(), reader);
             }
         }
@@ -144,7 +144,7 @@ where
     aided.finish(&mut state, &mut ());
     digest.add(M::frame(state.navigator()));
     digest.add(state.filter());
-    filter.row(state.integrated() + 1, state.filter(), reader);
+    filter.row(state.integrated(), state.filter(), reader);
     nav.end(reader);
     filter.end(reader);
     // What `schuler run` says of the same flight.

@@ -2,6 +2,7 @@
 //!
 //! [`device`] opens a [`channel`], into which an [`injector`] may inject [`faults`]; a [`conversation`] sends
 //! requests and receives answers; [`lockstep`] flies both sides with it, and [`tally`] counts errors on the link.
+//! [`identify`] lets a target identify a unit at rest in place of flying.
 
 pub mod channel;
 pub mod child;

@@ -13,7 +13,7 @@ use schuler_firmware::board::entry;
 
 schuler::fleet! {
     /// What this image can do.
-    Fleet {
+    Aiding {
         Plain: Single,
         Aided: Linked<Navigator4<f32>>,
         Unit: Identification<f32>,
@@ -22,7 +22,7 @@ schuler::fleet! {
 
 #[entry]
 fn main() -> ! {
-    application::serve::<Fleet>()
+    application::serve::<Aiding>()
 }
 
 #[panic_handler]

@@ -69,11 +69,7 @@ pub const AIDED: [&str; 3] = [
 ];
 
 /// What `schuler hil` says of flights with an image that it starts QEMU for by itself, where one fails.
-pub fn emulated(
-    image: &Image,
-    flights: &[&str],
-    schuler: &Path,
-) -> Result<Vec<String>, String> {
+pub fn emulated(image: &Image, flights: &[&str], schuler: &Path) -> Result<Vec<String>, String> {
     let mut failed = Vec::new();
     for options in flights {
         let out = tempfile::tempdir().map_err(|error| error.to_string())?;

@@ -103,9 +103,10 @@ Instructions are those of QEMU's `-icount shift=0`; they are not cycles. On a bo
 cycles in their place (README.md).
 ";
 
-/// As a number is written and compared.
+/// As a number is written and compared; what is not measured on a machine is none.
 pub fn written(value: f64) -> String {
     match value.abs() {
+        _ if value.is_nan() => "–".to_owned(),
         0.0 => "0".to_owned(),
         1000.0.. => format!("{value:.0}"),
         1.0.. if value.fract() == 0.0 => format!("{value:.0}"),

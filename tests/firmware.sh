@@ -25,11 +25,13 @@ build_program
 builds=$(runner builds)
 while read -r triple board; do
     bins=(--bin selftest --bin budget --bin single --bin single-planned --bin navigator-f32)
-    # The image that `schuler hil` looks for: every mechanization, f64 in software among them. And paths
-    # that are compiled on the target, in f64 too.
+    # The image that `schuler hil` looks for: every mechanization, f64 in software among them. Aided flights. And
+    # paths that are compiled on the target, in f64 too.
     if [ "$board $triple" = "mps2 thumbv7em-none-eabihf" ]; then
-        bins+=(--bin navigator --bin circuit)
+        bins+=(--bin navigator --bin navigator-aided --bin circuit)
     fi
+    # An aided flight does not fit the RAM of a micro:bit.
+    if [ "$board" != microbit ]; then bins+=(--bin aiding); fi
     status=0
     (cd tests/firmware &&
         build_package "$triple" "$board,semihosting" --no-default-features --quiet "${bins[@]}") ||
@@ -50,7 +52,7 @@ lint() {
 if rustc --print target-libdir --target thumbv7em-none-eabihf 2>/dev/null | xargs -r test -d &&
     cargo clippy --version >/dev/null 2>&1; then
     lint mps2,semihosting --bins
-    lint mps2,rtt,dwt --bin selftest --bin budget
+    lint mps2,rtt,dwt --bin selftest --bin budget --bin aiding
 else
     echo "skipped: clippy over the firmware (rustup target add thumbv7em-none-eabihf)"
 fi

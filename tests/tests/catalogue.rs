@@ -19,7 +19,7 @@ fn all<C: Catalogue>() -> Vec<Configuration> {
 
 fn offers<F: Fleet>() -> Vec<Configuration> {
     let mut offers = Vec::new();
-    F::offers(&mut |one| offers.push(one));
+    F::offers(&mut |one| offers.push(one.configuration));
     offers
 }
 

@@ -6,6 +6,7 @@
 //! | file | what it has |
 //! |---|---|
 //! | [`octaves`] | the deviation at τ = Δt, 2Δt, 4Δt …, in 2.3 KB per axis, some ten additions per sample |
+//! | `restored` | the sums as words, and whether words can be sums |
 //! | [`term`] | the Allan variance of each error term |
 //! | [`freedom`] | how many independent differences a point is worth, and with it how well it is known |
 //!
@@ -34,4 +35,5 @@
 
 pub mod freedom;
 pub mod octaves;
+mod restored;
 pub mod term;

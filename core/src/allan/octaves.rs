@@ -22,7 +22,8 @@
 use super::freedom;
 use super::term::Term;
 use crate::math::compensated::{Accumulate, Pair, two_sum};
-use crate::math::real::{Number, Scalar};
+use crate::math::real::{Number, Real, Scalar};
+use crate::record::Record;
 
 /// Octaves from m = 4 on, with which the longest cluster is 2²⁹ samples: two months at 100 Hz.
 pub const RINGS: usize = 28;
@@ -30,11 +31,13 @@ pub const RINGS: usize = 28;
 /// A scalar with sums of increments that keep its digits.
 pub trait Sums: Scalar {
     /// Such a sum; of the size of two single-precision numbers.
-    type Sum: Number + core::fmt::Debug + PartialEq + Send;
+    type Sum: Number + Record + core::fmt::Debug + PartialEq + Send;
     /// a − b.
     fn difference(a: Self, b: Self) -> Self::Sum;
     /// The sums' difference, rounded: its error is that of the result, however large both are.
     fn between(a: Self::Sum, b: Self::Sum) -> Self;
+    /// Whether its size is within a bound; not a number never is.
+    fn is_within(sum: Self::Sum, bound: Self) -> bool;
 }
 
 impl Sums for f64 {
@@ -46,6 +49,9 @@ impl Sums for f64 {
     #[inline(always)]
     fn between(a: f64, b: f64) -> f64 {
         a - b
+    }
+    fn is_within(sum: f64, bound: f64) -> bool {
+        Real::is_within(sum, bound)
     }
 }
 
@@ -59,6 +65,9 @@ impl Sums for f32 {
     #[inline(always)]
     fn between(a: Pair<f32>, b: Pair<f32>) -> f32 {
         (a.hi - b.hi) + (a.lo - b.lo)
+    }
+    fn is_within(sum: Pair<f32>, bound: f32) -> bool {
+        Real::is_within(sum.hi, bound) && Real::is_within(sum.lo, bound)
     }
 }
 
@@ -86,11 +95,11 @@ impl core::error::Error for Refused {}
 
 /// The octave of one length of clusters.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Ring<R: Sums> {
+pub(super) struct Ring<R: Sums> {
     /// Of the last eight quarters of a cluster, the newest last.
-    quarters: [R::Sum; 8],
+    pub(super) quarters: [R::Sum; 8],
     /// Σd².
-    squares: Pair<R>,
+    pub(super) squares: Pair<R>,
 }
 
 impl<R: Sums> Ring<R> {
@@ -110,12 +119,12 @@ impl<R: Sums> Ring<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Octaves<R: Sums, const OCTAVES: usize = RINGS> {
     interval_s: R,
-    samples: u64,
+    pub(super) samples: u64,
     /// What is taken off each sample, so that the mean costs no digits.
-    first: R,
+    pub(super) first: R,
     /// Σd² of m = 1 and 2.
-    squares: [Pair<R>; 2],
-    rings: [Ring<R>; OCTAVES],
+    pub(super) squares: [Pair<R>; 2],
+    pub(super) rings: [Ring<R>; OCTAVES],
 }
 
 #[cfg(feature = "defmt")]
@@ -172,7 +181,7 @@ impl<R: Sums, const OCTAVES: usize> Octaves<R, OCTAVES> {
     ///
     /// [`Refused::Interval`] if that is not positive and finite.
     pub fn new(interval_s: R) -> Result<Self, Refused> {
-        if !(interval_s > R::ZERO && interval_s.is_within(R::of(1e9))) {
+        if !(interval_s > R::ZERO && Real::is_within(interval_s, R::of(1e9))) {
             return Err(Refused::Interval);
         }
         let ring = Ring { quarters: [R::Sum::default(); 8], squares: Pair::new(R::ZERO) };
@@ -190,6 +199,12 @@ impl<R: Sums, const OCTAVES: usize> Octaves<R, OCTAVES> {
         self.samples
     }
 
+    /// Whether an increment is taken: a finite one within ±1e15.
+    #[inline]
+    pub fn takes(increment: R) -> bool {
+        Real::is_within(increment, R::of(1e15))
+    }
+
     /// Takes the increment of the next sample: the integral of the rate over it, angle.
     ///
     /// # Errors
@@ -197,7 +212,7 @@ impl<R: Sums, const OCTAVES: usize> Octaves<R, OCTAVES> {
     /// [`Refused::Increment`] if it is not finite, or beyond ±1e15.
     #[inline]
     pub fn add(&mut self, increment: R) -> Result<(), Refused> {
-        if !increment.is_within(R::of(1e15)) {
+        if !Self::takes(increment) {
             return Err(Refused::Increment);
         }
         if self.samples == 0 {

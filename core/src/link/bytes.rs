@@ -13,6 +13,7 @@
 use crate::math::compensated::Pair;
 use crate::math::real::Scalar;
 use crate::math::vector::Vector;
+use crate::record::Record;
 use crate::sample::Increment;
 
 /// What is left of a payload. `None`: it was too short.
@@ -67,6 +68,18 @@ impl<'a> Bytes<'a> {
     pub fn increment<R: Scalar>(&mut self) -> Option<Increment<R>> {
         let mut vector = || Some(Vector::new(self.scalar()?, self.scalar()?, self.scalar()?));
         Some(Increment { angle_b: vector()?, velocity_b: vector()? })
+    }
+
+    /// A record, eight bytes a word; `None` too where it would not be written so again.
+    pub fn record<T: Record>(&mut self, mut to: T) -> Option<T> {
+        let (mut from, mut complete) = (*self, true);
+        to.restore("", &mut |_, bits| {
+            let word = from.u64();
+            complete &= word.is_some();
+            word.unwrap_or(bits)
+        });
+        to.record("", &mut |_, bits| complete &= self.u64() == Some(bits));
+        complete.then_some(to)
     }
 
     /// Everything that is left.

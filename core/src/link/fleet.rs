@@ -17,9 +17,9 @@ use super::bytes::Bytes;
 use super::flight::{LinkedFlight, Taken};
 use super::frame::Writer;
 use super::message::Start;
+use super::offer::Offer;
 use super::refusal::Refusal;
 use crate::flight::catalogue::{Entry, NamedFrame};
-use crate::flight::configuration::Configuration;
 use crate::math::compensated::{Pair, TwoFloat};
 use crate::math::real::Scalar;
 use crate::record::Record;
@@ -33,7 +33,7 @@ use crate::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbo
 /// One of several mechanizations in flight.
 pub trait Fleet: Copy {
     /// Names every one that can be asked for.
-    fn offers(offer: &mut impl FnMut(Configuration));
+    fn offers(offer: &mut impl FnMut(Offer));
     /// Starts the one that is asked for.
     fn start(start: &Start) -> Result<Self, Refusal>;
     /// Takes a sample; no row is read.
@@ -54,8 +54,17 @@ pub trait Fleet: Copy {
     fn restore(&mut self, write: &mut dyn FnMut(u64) -> u64);
     /// Whether the words that were written back can be its state.
     fn check(&self) -> Result<(), Refusal>;
-    /// Shows the flight, whatever its mechanization.
-    fn visit<V: Visitor>(&mut self, visitor: V) -> V::Result;
+    /// Takes the settings of an aided flight, before its first sample.
+    fn aid(&mut self, _settings: Bytes) -> Result<(), Refusal> {
+        Err(Refusal::Unaided)
+    }
+    /// Takes the measurement of a number, from 1. What a sensor says again, too late, or without room for it is
+    /// counted.
+    fn measure(&mut self, _number: u32, _measured: Bytes) -> Result<Taken, Refusal> {
+        Err(Refusal::Unaided)
+    }
+    /// Shows the flight, whatever its mechanization; `None` if it is no flight by inertia alone.
+    fn visit<V: Visitor>(&mut self, visitor: V) -> Option<V::Result>;
 }
 
 /// An operation on a flight of any mechanization.
@@ -68,12 +77,12 @@ pub trait Visitor {
 
 /// A single mechanization: the smallest image.
 impl<M: Entry> Fleet for LinkedFlight<M> {
-    fn offers(offer: &mut impl FnMut(Configuration)) {
-        offer(M::CONFIGURATION);
+    fn offers(offer: &mut impl FnMut(Offer)) {
+        offer(M::CONFIGURATION.into());
     }
 
     fn start(start: &Start) -> Result<Self, Refusal> {
-        if start.configuration == M::CONFIGURATION {
+        if start.offer == M::CONFIGURATION.into() {
             LinkedFlight::start(start)
         } else {
             Err(Refusal::Configuration)
@@ -120,124 +129,9 @@ impl<M: Entry> Fleet for LinkedFlight<M> {
         Ok(LinkedFlight::check(self)?)
     }
 
-    fn visit<V: Visitor>(&mut self, visitor: V) -> V::Result {
-        visitor.visit(self)
+    fn visit<V: Visitor>(&mut self, visitor: V) -> Option<V::Result> {
+        Some(visitor.visit(self))
     }
-}
-
-/// Makes a [`Fleet`](crate::link::fleet::Fleet) of some others: of single mechanizations, each in a
-/// [`LinkedFlight`](crate::link::flight::LinkedFlight), or of fleets.
-#[macro_export]
-macro_rules! fleet {
-    ($($(#[$doc:meta])* $visibility:vis $name:ident $([$($generic:tt)+] of [$($argument:ident)+])? {
-        $($variant:ident: $fleet:ty,)+
-    })+) => {$(
-        $(#[$doc])*
-        // Nothing is on a heap, and a target has one of them.
-        #[allow(clippy::large_enum_variant)]
-        #[derive(Clone, Copy)]
-        $visibility enum $name $(<$($generic)+>)? {
-            $(
-                #[doc = concat!("`", stringify!($fleet), "`.")]
-                $variant($fleet),
-            )+
-        }
-
-        const _: () = {
-            use $crate::flight::configuration::Configuration;
-            use $crate::link::bytes::Bytes;
-            use $crate::link::fleet::{Fleet, Visitor};
-            use $crate::link::flight::Taken;
-            use $crate::link::frame::Writer;
-            use $crate::link::message::Start;
-            use $crate::link::refusal::Refusal;
-
-            impl $(<$($generic)+>)? Fleet for $name $(<$($argument)+>)? {
-                #[inline]
-                fn offers(offer: &mut impl FnMut(Configuration)) {
-                    $(<$fleet as Fleet>::offers(offer);)+
-                }
-
-                #[inline]
-                fn start(start: &Start) -> Result<Self, Refusal> {
-                    $(match <$fleet as Fleet>::start(start) {
-                        Err(Refusal::Configuration) => {}
-                        started => return started.map(Self::$variant),
-                    })+
-                    Err(Refusal::Configuration)
-                }
-
-                #[inline]
-                fn take(&mut self, number: u32, increment: Bytes) -> Result<Taken, Refusal> {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::take(fleet, number, increment),)+
-                    }
-                }
-
-                #[inline]
-                fn hold(&mut self, vertical: Bytes) -> Result<(), Refusal> {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::hold(fleet, vertical),)+
-                    }
-                }
-
-                #[inline]
-                fn finish(&mut self, samples: u32) -> Result<Taken, Refusal> {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::finish(fleet, samples),)+
-                    }
-                }
-
-                #[inline]
-                fn taken(&self) -> u32 {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::taken(fleet),)+
-                    }
-                }
-
-                fn bridged(&self) -> u32 {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::bridged(fleet),)+
-                    }
-                }
-
-                #[inline]
-                fn write(&self, to: &mut Writer) {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::write(fleet, to),)+
-                    }
-                }
-
-                #[inline]
-                fn words(&self, read: &mut dyn FnMut(u64)) {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::words(fleet, read),)+
-                    }
-                }
-
-                #[inline]
-                fn restore(&mut self, write: &mut dyn FnMut(u64) -> u64) {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::restore(fleet, write),)+
-                    }
-                }
-
-                #[inline]
-                fn check(&self) -> Result<(), Refusal> {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::check(fleet),)+
-                    }
-                }
-
-                #[inline]
-                fn visit<V: Visitor>(&mut self, visitor: V) -> V::Result {
-                    match self {
-                        $(Self::$variant(fleet) => Fleet::visit(fleet, visitor),)+
-                    }
-                }
-            }
-        };
-    )+};
 }
 
 /// The windows of a target in one frame.

@@ -26,7 +26,6 @@ use super::message::Start;
 use super::refusal::Refusal;
 use crate::flight::catalogue::Entry;
 use crate::flight::flight::Flight;
-use crate::math::compensated::Pair;
 use crate::record::{Record, record};
 use crate::sample::Increment;
 use crate::solution::Solution;
@@ -34,7 +33,7 @@ use crate::strapdown::limits::Rejected;
 use crate::strapdown::plausible::Damaged;
 
 /// Samples that wait to be integrated, at most: no window has more.
-const MOST_WAITING: u64 = 64;
+pub(super) const MOST_WAITING: u64 = 64;
 
 /// A flight with what the link needs beside it.
 #[derive(Clone, Copy)]
@@ -59,21 +58,16 @@ pub enum Taken {
     Again,
 }
 
+/// How many samples are missing after the last one taken, up to a number.
+pub(super) fn missing(taken: u32, number: u32) -> Result<u32, Refusal> {
+    let missing = number.saturating_sub(taken);
+    if missing > MOST_BRIDGED { Err(Refusal::Gap) } else { Ok(missing) }
+}
+
 impl<M: Entry> LinkedFlight<M> {
     /// As a host asks for it.
     pub fn start(start: &Start) -> Result<Self, Refusal> {
-        let mut bytes = start.initial;
-        let interval_s: Pair<M::Real> = bytes.pair().ok_or(Refusal::Malformed)?;
-        let mut initial = Solution::default();
-        let mut complete = true;
-        initial.restore("", &mut |_, _| {
-            let bits = bytes.bits::<M::Real>();
-            complete &= bits.is_some();
-            bits.unwrap_or(0)
-        });
-        if !complete || bytes.end().is_none() {
-            return Err(Refusal::Malformed);
-        }
+        let (interval_s, initial) = start.beginning()?;
         Self::new(M::configured(interval_s, start.order.into())?, initial, start.gap)
     }
 
@@ -100,7 +94,7 @@ impl<M: Entry> LinkedFlight<M> {
         if self.finished != 0 {
             return Err(Refusal::Finished);
         }
-        let missing = self.missing_up_to(number.saturating_sub(1))?;
+        let missing = missing(self.taken, number.saturating_sub(1))?;
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, Some(sample), push);
         if flown.is_err() {
@@ -126,7 +120,7 @@ impl<M: Entry> LinkedFlight<M> {
         if samples < self.taken {
             return Err(Refusal::Count);
         }
-        let missing = self.missing_up_to(samples)?;
+        let missing = missing(self.taken, samples)?;
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, None, push);
         if flown.is_err() {
@@ -139,12 +133,6 @@ impl<M: Entry> LinkedFlight<M> {
         self.flight.finish_by(finish);
         self.finished = 1;
         Ok(Taken::Flown)
-    }
-
-    /// How many samples are missing after the last one taken, up to a number.
-    fn missing_up_to(&self, number: u32) -> Result<u32, Refusal> {
-        let missing = number.saturating_sub(self.taken);
-        if missing > MOST_BRIDGED { Err(Refusal::Gap) } else { Ok(missing) }
     }
 
     /// Flies a sample after those that are missing before it; none ends the stream.

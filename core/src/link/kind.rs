@@ -49,6 +49,12 @@ kinds! {
     Finish = 0x06,
     /// Host: reset, as if switched off and on.
     Reset = 0x07,
+    /// Host: the settings of a flight that measurements aid.
+    Aid = 0x08,
+    /// Host: a measurement.
+    Measure = 0x09,
+    /// Host: asks for a piece of the state.
+    Read = 0x0a,
     /// Target: identification; also sent when it is switched on.
     Hello = 0x81,
     /// Target: its state.
@@ -57,4 +63,6 @@ kinds! {
     Restoring = 0x83,
     /// Target: refusal.
     Refused = 0x84,
+    /// Target: a piece of its state.
+    State = 0x85,
 }

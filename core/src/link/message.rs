@@ -25,13 +25,17 @@
 //! ```
 
 use super::bytes::Bytes;
-use super::counters::Counters;
 use super::frame::{Frame, Writer};
 use super::gap::Policy;
 use super::kind::Kind;
+use super::offer::Offer;
 use super::refusal::Refusal;
-use crate::flight::configuration::Configuration;
+use crate::math::compensated::Pair;
+use crate::math::real::Scalar;
 use crate::record::Record;
+use crate::solution::Solution;
+
+pub use super::answer::{Answer, Body, Standing};
 
 /// Version of everything that crosses the link.
 pub const VERSION: u8 = 1;
@@ -42,14 +46,34 @@ pub const MOST_WORDS: usize = 24;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Start<'a> {
-    /// What to fly.
-    pub configuration: Configuration,
+    /// What to fly, and what for.
+    pub offer: Offer,
     /// The order of its series, at most.
     pub order: u8,
     /// What a missing sample does.
     pub gap: Policy,
     /// The sampling interval in s, and the initial solution: pairs of the navigator's scalar.
     pub initial: Bytes<'a>,
+}
+
+impl Start<'_> {
+    /// The sampling interval in s, and the initial solution.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Malformed`] if there are more or fewer bytes.
+    pub fn beginning<R: Scalar + Record>(&self) -> Result<(Pair<R>, Solution<R>), Refusal> {
+        let mut bytes = self.initial;
+        let interval_s = bytes.pair().ok_or(Refusal::Malformed)?;
+        let (mut initial, mut complete) = (Solution::default(), true);
+        initial.restore("", &mut |_, _| {
+            let bits = bytes.bits::<R>();
+            complete &= bits.is_some();
+            bits.unwrap_or(0)
+        });
+        let whole = complete && bytes.end().is_some();
+        if whole { Ok((interval_s, initial)) } else { Err(Refusal::Malformed) }
+    }
 }
 
 /// What a host asks.
@@ -85,6 +109,20 @@ pub enum Request<'a> {
     },
     /// Forget everything.
     Reset,
+    /// The settings of an aided flight: their record, eight bytes a word.
+    Aid(Bytes<'a>),
+    /// A measurement.
+    Measure {
+        /// Its number, from 1: one that is sent again is known by it.
+        number: u32,
+        /// Its record, eight bytes a word.
+        measured: Bytes<'a>,
+    },
+    /// Which words does the state have?
+    Read {
+        /// From this one on.
+        offset: u16,
+    },
 }
 
 impl<'a> Request<'a> {
@@ -98,6 +136,9 @@ impl<'a> Request<'a> {
             Self::Hold(_) => Kind::Hold,
             Self::Finish { .. } => Kind::Finish,
             Self::Reset => Kind::Reset,
+            Self::Aid(_) => Kind::Aid,
+            Self::Measure { .. } => Kind::Measure,
+            Self::Read { .. } => Kind::Read,
         }
     }
 
@@ -105,8 +146,8 @@ impl<'a> Request<'a> {
     pub fn write(&self, to: &mut Writer) {
         match self {
             Self::Greet | Self::Reset => {}
-            Self::Start(Start { configuration, order, gap, initial }) => {
-                to.bytes(&configuration.to_bytes());
+            Self::Start(Start { offer, order, gap, initial }) => {
+                to.bytes(&offer.to_bytes());
                 to.u8(*order);
                 to.u8(match gap {
                     Policy::Refuse => 0,
@@ -123,7 +164,12 @@ impl<'a> Request<'a> {
                 to.u32(*number);
                 to.bytes(increment.0);
             }
-            Self::Hold(vertical) => to.bytes(vertical.0),
+            Self::Hold(words) | Self::Aid(words) => to.bytes(words.0),
+            Self::Measure { number, measured } => {
+                to.u32(*number);
+                to.bytes(measured.0);
+            }
+            Self::Read { offset } => to.u16(*offset),
             Self::Finish { samples } => to.u32(*samples),
         }
     }
@@ -135,14 +181,14 @@ impl<'a> Request<'a> {
             Kind::Greet => Self::Greet,
             Kind::Reset => Self::Reset,
             Kind::Start => {
-                let configuration = Configuration::from_bytes(bytes.array()?)?;
+                let offer = Offer::from_bytes(bytes.array()?)?;
                 let order = bytes.u8()?;
                 let gap = match bytes.u8()? {
                     0 => Policy::Refuse,
                     1 => Policy::Bridge,
                     _ => return None,
                 };
-                Self::Start(Start { configuration, order, gap, initial: bytes.rest() })
+                Self::Start(Start { offer, order, gap, initial: bytes.rest() })
             }
             Kind::Restore => {
                 let (words, offset) = (bytes.u16()?, bytes.u16()?);
@@ -151,108 +197,14 @@ impl<'a> Request<'a> {
             Kind::Sample => Self::Sample { number: bytes.u32()?, increment: bytes.rest() },
             Kind::Hold => Self::Hold(bytes.rest()),
             Kind::Finish => Self::Finish { samples: bytes.u32()? },
-            Kind::Hello | Kind::Solution | Kind::Restoring | Kind::Refused => return None,
+            Kind::Aid => Self::Aid(bytes.rest()),
+            Kind::Measure => Self::Measure { number: bytes.u32()?, measured: bytes.rest() },
+            Kind::Read => Self::Read { offset: bytes.u16()? },
+            Kind::Hello | Kind::Solution | Kind::Restoring | Kind::Refused | Kind::State => {
+                return None;
+            }
         };
         bytes.end()?;
         Some(request)
-    }
-}
-
-/// Where a navigator stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Standing<'a> {
-    /// Number of the last sample that it has taken, or filled in.
-    pub taken: u32,
-    /// Of the last 32 of them a bit each, the newest lowest: whether it came, or was filled in.
-    pub came: u32,
-    /// Samples that lie behind the solution.
-    pub integrated: u64,
-    /// Digest of every state so far.
-    pub digest: u64,
-    /// The solution in the navigator's own axes: ten pairs of its scalar.
-    pub solution: Bytes<'a>,
-}
-
-/// What a target says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Answer<'a> {
-    /// Sequence number of the frame that it answers; 0 if unasked.
-    pub answers: u32,
-    /// How often it was switched on before, or another number that differs every time.
-    pub boot: u32,
-    /// What it has noticed of the host's frames since then, or since the host has greeted it.
-    pub counters: Counters,
-    /// The answer.
-    pub body: Body<'a>,
-}
-
-/// The part of an answer that depends on its kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Body<'a> {
-    /// It is there.
-    Hello {
-        /// Its [`VERSION`].
-        version: u8,
-        /// What it can fly: a [`Configuration`] after the other.
-        offers: Bytes<'a>,
-    },
-    /// Where it stands.
-    Solution(Standing<'a>),
-    /// How many words of a stored state it has.
-    Restoring {
-        /// From the first on, without a hole.
-        words: u16,
-    },
-    /// It does not do what was asked.
-    Refused {
-        /// Why.
-        refusal: Refusal,
-        /// The sample at which it is.
-        taken: u32,
-    },
-}
-
-impl<'a> Answer<'a> {
-    /// Writes what every answer begins with.
-    pub fn write_begin(to: &mut Writer, answers: u32, boot: u32, counters: Counters) {
-        to.u32(answers);
-        to.u32(boot);
-        counters.record("", &mut |_, count| to.u32(count as u32));
-    }
-
-    /// Reads a target's frame; `None` if its payload is not what its kind needs.
-    pub fn read(frame: &Frame<'a>) -> Option<Self> {
-        let mut bytes = Bytes(frame.payload);
-        let (answers, boot) = (bytes.u32()?, bytes.u32()?);
-        let mut counters = Counters::default();
-        let mut complete = true;
-        counters.restore("", &mut |_, _| {
-            let count = bytes.u32();
-            complete &= count.is_some();
-            count.unwrap_or(0).into()
-        });
-        if !complete {
-            return None;
-        }
-        let body = match frame.header.kind {
-            Kind::Hello => Body::Hello { version: bytes.u8()?, offers: bytes.rest() },
-            Kind::Solution => Body::Solution(Standing {
-                taken: bytes.u32()?,
-                came: bytes.u32()?,
-                integrated: bytes.u64()?,
-                digest: bytes.u64()?,
-                solution: bytes.rest(),
-            }),
-            Kind::Restoring => Body::Restoring { words: bytes.u16()? },
-            Kind::Refused => {
-                Body::Refused { refusal: Refusal::from_code(bytes.u8()?)?, taken: bytes.u32()? }
-            }
-            _ => return None,
-        };
-        bytes.end()?;
-        Some(Self { answers, boot, counters, body })
     }
 }

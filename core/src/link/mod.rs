@@ -22,15 +22,25 @@
 //! # Ok::<(), schuler::link::frame::TooLong>(())
 //! ```
 
+#[cfg(feature = "aiding")]
+pub mod aided;
+#[cfg(feature = "aiding")]
+pub mod aided_fleet;
+pub mod answer;
 pub mod bytes;
+#[macro_use]
+pub mod compose;
 pub mod counters;
 pub mod decoder;
 pub mod fleet;
 pub mod flight;
 pub mod frame;
 pub mod gap;
+#[cfg(feature = "allan")]
+pub mod identification;
 pub mod kind;
 pub mod message;
+pub mod offer;
 pub mod refusal;
 pub mod sequence;
 pub mod target;

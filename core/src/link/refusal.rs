@@ -9,6 +9,8 @@
 //! ```
 
 use super::gap::{MOST_BRIDGED, Missing};
+#[cfg(feature = "aiding")]
+use crate::aiding::aided::fault::AidedFault;
 use crate::strapdown::limits::{Rejected, StartError};
 use crate::strapdown::plausible::Damaged;
 use core::fmt::{self, Display, Formatter};
@@ -37,26 +39,34 @@ pub enum Refusal {
     Start(StartError),
     /// The navigator does not take the sample.
     Rejected(Rejected),
+    /// No measurements are taken here: what flies is not aided, or waits for the settings of its filter.
+    Unaided,
+    /// The aided navigator does not take its settings, or a measurement.
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault),
 }
 
 /// Codes both ways; a reason without one does not compile.
 macro_rules! codes {
-    ($($refusal:ident $(($cause:ident $reason:ident))? = $code:literal,)+) => {
+    ($($(#[$of:meta])* $refusal:ident $(($cause:ident $reason:ident))? = $code:literal,)+) => {
         impl Refusal {
             /// Every one.
-            pub const ALL: &[Self] = &[$(Self::$refusal $(($cause::$reason))?,)+];
+            pub const ALL: &[Self] = &[$($(#[$of])* Self::$refusal $(($cause::$reason))?,)+];
 
             /// As it crosses the line.
             pub fn code(self) -> u8 {
                 match self {
-                    $(Self::$refusal $(($cause::$reason))? => $code,)+
+                    $($(#[$of])* Self::$refusal $(($cause::$reason))? => $code,)+
+                    // The same refusal by a navigator that is not aided.
+                    #[cfg(feature = "aiding")]
+                    Self::Aided(AidedFault::Rejected(why)) => Self::Rejected(why).code(),
                 }
             }
 
             /// Back from [`Refusal::code`].
             pub fn from_code(code: u8) -> Option<Self> {
                 match code {
-                    $($code => Some(Self::$refusal $(($cause::$reason))?),)+
+                    $($(#[$of])* $code => Some(Self::$refusal $(($cause::$reason))?),)+
                     _ => None,
                 }
             }
@@ -86,6 +96,31 @@ codes! {
     Rejected(Rejected Interval) = 18,
     Damaged = 19,
     Rejected(Rejected Turn) = 20,
+    Unaided = 21,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Settings) = 22,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Lever) = 23,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Horizon) = 24,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Start) = 25,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Time) = 26,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Future) = 27,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Sigma) = 28,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Place) = 29,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Velocity) = 30,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Late) = 31,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Again) = 32,
+    #[cfg(feature = "aiding")]
+    Aided(AidedFault Full) = 33,
 }
 
 impl Display for Refusal {
@@ -104,6 +139,11 @@ impl Display for Refusal {
             Self::Damaged => Damaged.fmt(f),
             Self::Start(error) => error.fmt(f),
             Self::Rejected(error) => error.fmt(f),
+            Self::Unaided => f.write_str(
+                "no measurements are taken: what flies is not aided, or waits for its settings",
+            ),
+            #[cfg(feature = "aiding")]
+            Self::Aided(fault) => fault.fmt(f),
         }
     }
 }
@@ -125,6 +165,16 @@ impl From<Damaged> for Refusal {
 impl From<StartError> for Refusal {
     fn from(error: StartError) -> Self {
         Self::Start(error)
+    }
+}
+
+#[cfg(feature = "aiding")]
+impl From<AidedFault> for Refusal {
+    fn from(fault: AidedFault) -> Self {
+        match fault {
+            AidedFault::Rejected(why) => Self::Rejected(why),
+            other => Self::Aided(other),
+        }
     }
 }
 

@@ -14,13 +14,14 @@
 //! assert!(sent > 0 && target.flight().is_none());
 //! ```
 
+use super::answer::{Answer, MOST_READ};
 use super::counters::{Counters, count};
 use super::decoder::Decoder;
 use super::fleet::Fleet;
 use super::flight::Taken;
-use super::frame::{Frame, Header, MOST_ENCODED, encode};
+use super::frame::{Frame, Header, MOST_ENCODED, Writer, encode};
 use super::kind::Kind;
-use super::message::{Answer, Request, VERSION};
+use super::message::{Request, VERSION};
 use super::refusal::Refusal;
 use super::sequence::{Arrival, Sequence};
 
@@ -53,6 +54,8 @@ enum Reply {
     Hello,
     Standing,
     Restoring(u16),
+    /// The words of the state from this one on.
+    State(u16),
     Refused(Refusal),
 }
 
@@ -112,7 +115,10 @@ impl<F: Fleet> Application<F> {
     /// Carries out a frame; frames that no host sends are not answered.
     fn serve(&mut self, frame: &Frame) -> Option<Reply> {
         let Header { kind, sequence, time_ns } = frame.header;
-        if matches!(kind, Kind::Hello | Kind::Solution | Kind::Restoring | Kind::Refused) {
+        if matches!(
+            kind,
+            Kind::Hello | Kind::Solution | Kind::Restoring | Kind::State | Kind::Refused
+        ) {
             return None;
         }
         if kind == Kind::Greet {
@@ -152,6 +158,16 @@ impl<F: Fleet> Application<F> {
                 }
             }
             Request::Hold(vertical) => self.flying()?.hold(*vertical)?,
+            Request::Aid(settings) => self.flying()?.aid(*settings)?,
+            Request::Measure { number, measured } => {
+                if self.flying()?.measure(*number, *measured)? == Taken::Again {
+                    count(&mut self.counters.repeated);
+                }
+            }
+            Request::Read { offset } => {
+                self.flying()?;
+                return Ok(Reply::State(*offset));
+            }
             Request::Finish { samples } => {
                 if self.flying()?.finish(*samples)? == Taken::Again {
                     count(&mut self.counters.repeated);
@@ -177,8 +193,7 @@ impl<F: Fleet> Application<F> {
     ) -> Result<Reply, Refusal> {
         let flight = self.flight.as_mut().ok_or(Refusal::NotStarted)?;
         let (pieces, rest) = piece.as_chunks::<8>();
-        let mut all = 0_u16;
-        flight.words(&mut |_| all = all.saturating_add(1));
+        let all = words_of(flight);
         let have = if offset == 0 { 0 } else { self.restored.unwrap_or(words) };
         let end = usize::from(offset) + pieces.len();
         if words != all || !rest.is_empty() || offset > have || end > usize::from(words) {
@@ -220,6 +235,7 @@ impl<F: Fleet> Application<F> {
             Reply::Hello => Kind::Hello,
             Reply::Standing => Kind::Solution,
             Reply::Restoring(_) => Kind::Restoring,
+            Reply::State(_) => Kind::State,
             Reply::Refused(_) => Kind::Refused,
         };
         let header = Header { kind, sequence: self.sent, time_ns: self.time_ns };
@@ -237,6 +253,11 @@ impl<F: Fleet> Application<F> {
                     }
                 }
                 Reply::Restoring(words) => to.u16(words),
+                Reply::State(offset) => {
+                    if let Some(flight) = &self.flight {
+                        write_words(flight, offset, to);
+                    }
+                }
                 Reply::Refused(refusal) => {
                     to.u8(refusal.code());
                     to.u32(self.flight.as_ref().map_or(0, F::taken));
@@ -248,4 +269,24 @@ impl<F: Fleet> Application<F> {
             send(frame);
         }
     }
+}
+
+/// The number of words of a state.
+fn words_of(flight: &impl Fleet) -> u16 {
+    let mut all = 0_u16;
+    flight.words(&mut |_| all = all.saturating_add(1));
+    all
+}
+
+/// Writes words of a state from one on, as many as an answer holds.
+fn write_words(flight: &impl Fleet, offset: u16, to: &mut Writer) {
+    to.u16(words_of(flight));
+    to.u16(offset);
+    let (first, mut index) = (usize::from(offset), 0_usize);
+    flight.words(&mut |bits| {
+        if index >= first && index - first < MOST_READ {
+            to.u64(bits);
+        }
+        index += 1;
+    });
 }

@@ -184,7 +184,10 @@ fn what_cannot_be_aided_says_why() {
         &run,
         &["alignment", "heading_sigma_deg in [filter]"],
     );
-    says("[gnss]\n", &["hil", "s.toml"], &["filter", "is aided"]);
+    says("[gnss]\n", &["audit", "record", "s.toml", "--out", "a"], &["filter", "is aided"]);
+    // The targets remember 64 steps of 0.1 s.
+    let slow = "[gnss]\n[filter]\nhorizon_s = 10\n";
+    says(slow, &["hil", "s.toml"], &["filter", "the horizon must be"]);
     says("[gnss]\n", &["ensemble", "s.toml", "--shard", "1/2"], &["--shard", "is aided"]);
     let (code, out, said) = schuler(folder, &["ensemble", "s.toml", "--runs", "8", "--out", "e"]);
     assert_eq!(code, Some(0), "{said}");

@@ -8,7 +8,8 @@ mod vehicle;
 
 pub use error::{FlightError, Refused};
 pub use log::{Log, largest};
-use riding::{Claims, Riding};
+pub use riding::Claims;
+use riding::Riding;
 pub use vehicle::Vehicle;
 
 use crate::aided::report::Report;
@@ -67,6 +68,11 @@ impl<'a> Simulation<'a> {
         };
         let aligned = outcome;
         Ok(Self { scene, source, plan, theory, initial, vehicle, run, before, aligned, claims })
+    }
+
+    /// Where an aided navigator says what it claims; none if the scene is not aided.
+    pub fn claims(&self) -> Option<Claims> {
+        self.claims.clone()
     }
 
     /// Whether theory expects anything at all, so that its columns are not zero throughout.

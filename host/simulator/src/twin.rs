@@ -1,23 +1,39 @@
 //! The host's twin of the target: the same code, fed with the same bytes.
+//!
+//! | file | what it has |
+//! |---|---|
+//! | [`application`] | the target's application on this machine |
+//! | `side` | what the twins of all kinds do, and which one it is |
+//! | `plain` | navigation by inertia alone |
+//! | `aided` | navigation that measurements aid |
+//! | `unit` | a unit that stands still, and identifies itself |
 
+mod aided;
 pub mod application;
+mod plain;
+mod side;
+mod unit;
 
-use crate::navigator::{self, Reader};
+use crate::aided::report::Report;
+use crate::aided::settings;
+use crate::navigator::Reader;
+use crate::scene::Scene;
+use schuler::aiding::aided::measured::Measured;
+use schuler::allan::octaves::Point;
 use schuler::flight::carried::Carried;
-use schuler::flight::catalogue::Entry;
 use schuler::flight::configuration::{Configuration, Precision};
 use schuler::link::bytes::Bytes;
-use schuler::link::fleet::{Every, Fleet, Visitor};
-use schuler::link::flight::{LinkedFlight, Taken};
+use schuler::link::flight::Taken;
 use schuler::link::gap::Policy;
 use schuler::link::message::Start;
+use schuler::link::offer::{Offer, Purpose};
 use schuler::link::refusal::Refusal;
 use schuler::math::compensated::Pair;
 use schuler::math::real::Scalar;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use std::cell::RefCell;
+use side::Side;
 
 /// Where a navigator stands: [`schuler::link::message::Standing`] with its own bytes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -37,10 +53,15 @@ pub struct Standing {
 }
 
 /// How a flight is started on either side.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Beginning {
     /// What is flown.
     pub configuration: Configuration,
+    purpose: Purpose,
+    /// Samples per second, for whoever reads a clock.
+    rate_hz: f64,
+    /// The settings of an aided flight, as they cross the line.
+    settings: Option<Vec<u8>>,
     order: u8,
     gap: Policy,
     /// Interval and initial solution as they cross the line.
@@ -63,7 +84,40 @@ impl Beginning {
         };
         // No window has a series of more terms.
         let order = order.min(usize::from(u8::MAX)) as u8;
-        Self { configuration, order, gap, initial }
+        let rate_hz = interval_s.reciprocal().hi;
+        let purpose = Purpose::Navigation;
+        Self { configuration, purpose, rate_hz, settings: None, order, gap, initial }
+    }
+
+    /// With the filter of a scene's aided navigator.
+    pub fn aided(self, scene: &Scene) -> Self {
+        let settings = match self.configuration.precision {
+            Precision::F64 => words(&settings::of(scene)),
+            Precision::F32 | Precision::F32x2 => {
+                words(&settings::narrow::<f32>(&settings::of(scene)))
+            }
+        };
+        let rate_hz = scene.rate_hz;
+        Self { purpose: Purpose::Aiding, rate_hz, settings: Some(settings), ..self }
+    }
+
+    /// The identification of a unit at rest, in a precision.
+    pub fn identification(precision: Precision, rate_hz: f64) -> Self {
+        let Offer { purpose, configuration } = Offer::identification(precision);
+        let interval_s = Pair::new(rate_hz).reciprocal();
+        let initial = Solution::default();
+        let plain = Self::new(configuration, 0, Policy::Refuse, interval_s, &initial);
+        Self { purpose, rate_hz, ..plain }
+    }
+
+    /// The settings of an aided flight, as they cross the line.
+    pub fn settings(&self) -> Option<&[u8]> {
+        self.settings.as_deref()
+    }
+
+    /// Samples per second.
+    pub fn rate_hz(&self) -> f64 {
+        self.rate_hz
     }
 
     /// What a missing sample does.
@@ -73,28 +127,32 @@ impl Beginning {
 
     /// The payload of a start.
     pub fn start(&self) -> Start<'_> {
-        let Self { configuration, order, gap, initial } = self;
-        Start { configuration: *configuration, order: *order, gap: *gap, initial: Bytes(initial) }
+        let Self { order, gap, initial, .. } = self;
+        Start { offer: self.offer(), order: *order, gap: *gap, initial: Bytes(initial) }
+    }
+
+    /// What a target must offer for it.
+    pub fn offer(&self) -> Offer {
+        Offer { purpose: self.purpose, configuration: self.configuration }
     }
 }
 
 /// What is flown on this side.
-#[derive(Clone)]
 pub struct Twin {
-    flight: Every,
+    side: Box<dyn Side>,
     carried: Carried,
 }
 
 impl Twin {
     /// At the start.
     pub fn start(beginning: &Beginning) -> Result<Self, Refusal> {
-        Ok(Self { flight: Every::start(&beginning.start())?, carried: Carried::default() })
+        Ok(Self { side: side::start(beginning)?, carried: Carried::default() })
     }
 
     /// The next sample in the navigator's digits, as it crosses the line: what rounding drops is added to
     /// the next one.
     pub fn narrow(&mut self, sample: &Increment<f64>) -> Vec<u8> {
-        self.flight.visit(Narrow(sample, &mut self.carried))
+        self.side.narrow(sample, &mut self.carried)
     }
 
     /// Takes a sample, and reads the rows that it completes.
@@ -104,39 +162,69 @@ impl Twin {
         increment: &[u8],
         read: &mut Reader,
     ) -> Result<Taken, Refusal> {
-        self.flight.visit(Take(number, Bytes(increment), read))
+        self.side.take(number, Bytes(increment), read)
     }
 
     /// Takes a sample; no row is read.
     pub fn take_unread(&mut self, number: u32, increment: &[u8]) -> Result<Taken, Refusal> {
-        self.flight.take(number, Bytes(increment))
+        self.side.take_unread(number, Bytes(increment))
     }
 
     /// Ends the stream after so many samples, and reads the rows that are left.
     pub fn finish(&mut self, samples: u32, read: &mut Reader) -> Result<Taken, Refusal> {
-        self.flight.visit(Finish(samples, read))
+        self.side.finish(samples, read)
     }
 
     /// Height (m) and vertical velocity (down, m/s) as they cross the line.
     pub fn vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Vec<u8> {
-        self.flight.visit(Vertical([altitude_m, down_m_s]))
+        self.side.vertical([altitude_m, down_m_s])
     }
 
     /// Sets height and vertical velocity.
     pub fn hold(&mut self, vertical: &[u8]) -> Result<(), Refusal> {
-        self.flight.hold(Bytes(vertical))
+        self.side.hold(Bytes(vertical))
+    }
+
+    /// Takes the settings of its filter.
+    pub fn aid(&mut self, settings: &[u8]) -> Result<(), Refusal> {
+        self.side.aid(Bytes(settings))
+    }
+
+    /// A measurement in the navigator's digits, as it crosses the line.
+    pub fn measured(&self, measured: &Measured<f64>) -> Vec<u8> {
+        self.side.measured(measured)
+    }
+
+    /// Takes the measurement of a number, from 1.
+    pub fn measure(&mut self, number: u32, measured: &[u8]) -> Result<Taken, Refusal> {
+        self.side.measure(number, Bytes(measured))
+    }
+
+    /// The covariance of its drift by its filter, if it has one: position, velocity, attitude, north, east, down,
+    /// m, m/s, rad.
+    pub fn covariance(&self) -> Option<[[f64; 9]; 9]> {
+        self.side.covariance()
+    }
+
+    /// What became of the measurements, if there are any.
+    pub fn report(&self) -> Option<Report> {
+        self.side.report()
+    }
+
+    /// Its Allan sums, if it identifies itself: gyros x, y, z, then accelerometers.
+    pub fn points(&self) -> Option<[Vec<Point<f64>>; 6]> {
+        self.side.points()
     }
 
     /// Where it stands.
     pub fn standing(&self) -> Standing {
-        let mut flight = self.flight;
-        flight.visit(Stand)
+        self.side.standing()
     }
 
     /// The words of its state, as they cross the line.
     pub fn words(&self) -> Vec<u8> {
         let mut words = Vec::new();
-        self.flight.words(&mut |bits| words.extend_from_slice(&bits.to_le_bytes()));
+        self.side.words(&mut |bits| words.extend_from_slice(&bits.to_le_bytes()));
         words
     }
 
@@ -144,13 +232,12 @@ impl Twin {
     pub fn restore(&mut self, words: &[u8]) -> Result<(), Refusal> {
         let (words, _) = words.as_chunks();
         let mut words = words.iter().map(|&bytes| u64::from_le_bytes(bytes));
-        self.flight.restore(&mut |_| words.next().unwrap_or_default());
-        self.flight.check()
+        self.side.restore(&mut |_| words.next().unwrap_or_default())
     }
 
     /// Samples that were filled in.
     pub fn bridged(&self) -> u32 {
-        self.flight.bridged()
+        self.side.bridged()
     }
 }
 
@@ -161,7 +248,7 @@ fn beginning<R: Scalar + Record>(interval_s: Pair<f64>, initial: &Solution<f64>)
 }
 
 /// A record's words as scalars on the line.
-fn scalars<R: Scalar>(record: &impl Record) -> Vec<u8> {
+pub(crate) fn scalars<R: Scalar>(record: &impl Record) -> Vec<u8> {
     let mut bytes = Vec::new();
     record.record("", &mut |_, bits| {
         bytes.extend_from_slice(&bits.to_le_bytes()[..size_of::<R>()]);
@@ -169,65 +256,9 @@ fn scalars<R: Scalar>(record: &impl Record) -> Vec<u8> {
     bytes
 }
 
-struct Narrow<'a>(&'a Increment<f64>, &'a mut Carried);
-
-impl Visitor for Narrow<'_> {
-    type Result = Vec<u8>;
-    fn visit<M: Entry>(self, _: &mut LinkedFlight<M>) -> Vec<u8> {
-        let Self(sample, carried) = self;
-        scalars::<M::Real>(&carried.narrow::<M::Real>(sample))
-    }
-}
-
-struct Take<'a, 'b>(u32, Bytes<'a>, &'a mut Reader<'b>);
-
-impl Visitor for Take<'_, '_> {
-    type Result = Result<Taken, Refusal>;
-    fn visit<M: Entry>(self, flight: &mut LinkedFlight<M>) -> Self::Result {
-        let Self(number, mut increment, read) = self;
-        let sample = increment.increment().ok_or(Refusal::Malformed)?;
-        flight.take(number, sample, |m, state, sample| navigator::push(m, state, sample, read))
-    }
-}
-
-struct Finish<'a, 'b>(u32, &'a mut Reader<'b>);
-
-impl Visitor for Finish<'_, '_> {
-    type Result = Result<Taken, Refusal>;
-    fn visit<M: Entry>(self, flight: &mut LinkedFlight<M>) -> Self::Result {
-        let Self(samples, read) = self;
-        let read = RefCell::new(read);
-        flight.finish(
-            samples,
-            |m, state, sample| navigator::push(m, state, sample, *read.borrow_mut()),
-            |m, state| navigator::finish(m, state, *read.borrow_mut()),
-        )
-    }
-}
-
-struct Vertical([f64; 2]);
-
-impl Visitor for Vertical {
-    type Result = Vec<u8>;
-    fn visit<M: Entry>(self, _: &mut LinkedFlight<M>) -> Vec<u8> {
-        let [hi, lo] = self.0.map(M::Real::narrow);
-        scalars::<M::Real>(&Pair { hi, lo })
-    }
-}
-
-struct Stand;
-
-impl Visitor for Stand {
-    type Result = Standing;
-    fn visit<M: Entry>(self, flight: &mut LinkedFlight<M>) -> Standing {
-        Standing {
-            // When a sample ends, the host's clock says.
-            time_ns: 0,
-            taken: flight.taken(),
-            came: flight.came(),
-            integrated: flight.integrated(),
-            digest: flight.digest(),
-            solution: scalars::<M::Real>(&flight.output()),
-        }
-    }
+/// A record's words, eight bytes each.
+pub(crate) fn words(record: &impl Record) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    record.record("", &mut |_, bits| bytes.extend_from_slice(&bits.to_le_bytes()));
+    bytes
 }

@@ -1,5 +1,6 @@
 //! A flight's whole chain as a text that `schuler audit` reads.
 
+use crate::aided;
 use crate::configuration;
 use crate::recording::{EVERY, Reader, Words};
 use crate::scene::{MOST_SAMPLES, SCENES, SEED, Scene};
@@ -12,6 +13,9 @@ use std::fmt::Write;
 /// The chain of a flight; `None` if there is none of this name.
 pub fn of(flight: &str) -> Option<Result<String, Refused>> {
     let (scene, rest) = flight.split_once('/')?;
+    if scene == aided::SCENE.name {
+        return aided_of(rest);
+    }
     let scene = SCENES.iter().find(|s| s.name == scene)?;
     let mut configuration = None;
     configuration::each(|one| {
@@ -23,6 +27,20 @@ pub fn of(flight: &str) -> Option<Result<String, Refused>> {
         return None;
     }
     Some(fly(scene, configuration.as_ref(), rest))
+}
+
+/// The chain of an aided flight.
+fn aided_of(name: &str) -> Option<Result<String, Refused>> {
+    let mut found = None;
+    aided::each(|configuration| {
+        if configuration.to_string().replace([' ', ','], "-") == name {
+            let is_single = configuration.precision != Precision::F64;
+            let mut chain = ChainFile { is_single, ..ChainFile::default() };
+            let flown = aided::fly(configuration, &mut chain);
+            found = Some(flown.map(|()| chain.text(aided::SCENE, Some(configuration))));
+        }
+    });
+    found
 }
 
 fn fly(

@@ -1,4 +1,4 @@
-//! The audit program: flies two short scenes in the core's types and prints the digest of every stage.
+//! The audit program: flies short scenes in the core's types, one of them aided, and prints the digest of every stage.
 //!
 //! The same source on every target; only `platform` knows where it runs. With a standard library it
 //! takes the name of a flight, such as `paper/f32-local-level-textbook` or `turns/noise`, and prints
@@ -6,6 +6,7 @@
 
 #![cfg_attr(not(feature = "std"), no_std, no_main)]
 
+mod aided;
 #[cfg(feature = "std")]
 mod chain_file;
 mod configuration;
@@ -38,5 +39,12 @@ fn digests() -> Result<(), Refused> {
         });
         refused?;
     }
-    Ok(())
+    let mut refused = Ok(());
+    aided::each(|configuration| {
+        let configuration = *configuration;
+        let mut lines =
+            Lines { scene: aided::SCENE.name, configuration: Some(configuration) };
+        refused = refused.and_then(|()| aided::fly(&configuration, &mut lines));
+    });
+    refused
 }

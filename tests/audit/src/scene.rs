@@ -1,5 +1,6 @@
-//! The two scenes, as the host makes them from their files: the same conversions in the same order.
+//! The scenes, as the host makes them from their files: the same conversions in the same order.
 
+pub mod aided;
 mod paper;
 mod turns;
 
@@ -38,7 +39,7 @@ pub struct Scene {
     accelerometer: fn(Timing<f64>) -> Result<Triad<f64>, ParameterError>,
 }
 
-/// All of them.
+/// Those that are flown by inertia alone.
 pub const SCENES: [Scene; 2] = [paper::SCENE, turns::SCENE];
 
 impl Scene {

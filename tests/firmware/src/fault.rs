@@ -1,5 +1,6 @@
 //! What can go wrong in a flight before anything is compared.
 
+use schuler::aiding::aided::fault::AidedFault;
 use schuler::sensor::parameter::ParameterError;
 use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::trajectory::harmonic::CourseError;
@@ -15,6 +16,8 @@ pub enum Fault {
     Start(StartError),
     /// It refuses a sample.
     Rejected(Rejected),
+    /// The aided navigator refuses its settings, a sample or a measurement.
+    Aided(AidedFault),
     /// There is no counter of instructions or cycles.
     Counter,
 }
@@ -28,4 +31,10 @@ macro_rules! fault_from {
         })+
     };
 }
-fault_from!(CourseError => Motion, ParameterError => Sensors, StartError => Start, Rejected => Rejected);
+fault_from!(
+    CourseError => Motion,
+    ParameterError => Sensors,
+    StartError => Start,
+    Rejected => Rejected,
+    AidedFault => Aided
+);

@@ -5,6 +5,7 @@
 pub mod application;
 pub mod board;
 pub mod fault;
+pub mod measuring;
 pub mod navigation;
 pub mod paper;
 pub mod single;

@@ -20,6 +20,8 @@ pub enum Source {
     Budget(&'static str),
     /// A key that the image `selftest` reports.
     Selftest(&'static str),
+    /// A key that the image `aiding` reports.
+    Aiding(&'static str),
     /// The functions of core and libm that a sample can run through in the image `single`.
     Step,
     /// The same in the image `single-planned`.
@@ -57,6 +59,14 @@ pub const MEASURES: &[Measure] = &[
     measure("f32 error terms, instructions per sample", Source::Budget("f32 error terms, per sample"), Some(1000.0)),
     measure("f64 error terms, instructions per sample", Source::Budget("f64 error terms, per sample"), None),
     measure("f64 perfect samples, instructions per sample", Source::Budget("f64 perfect increments, per sample"), None),
+    measure("f32 covariance step of 0.1 s, instructions", Source::Aiding("f32 covariance step, bias noise each second"), Some(16_000.0)),
+    measure("the same of 1 s, with bias noise, instructions", Source::Aiding("f32 covariance step with bias noise"), None),
+    measure("f32 scalar measurement with its gate, instructions", Source::Aiding("f32 scalar measurement with its gate"), None),
+    measure("the same, covariance alone, instructions", Source::Aiding("f32 scalar measurement, covariance alone"), Some(2500.0)),
+    measure("f32 filter of 15 states, bytes", Source::Aiding("f32 filter, bytes"), Some(1024.0)),
+    measure("f32 aided flight at 100 Hz with a position each second, instructions per sample", Source::Aiding("f32 aided, per sample"), None),
+    measure("f32 aided flight, state with 8 steps and 4 measurements, bytes", Source::Aiding("f32 aided state, bytes"), None),
+    measure("f32 aided flight, stack, bytes", Source::Aiding("f32 aided, stack, bytes"), None),
     measure("self-test, samples", Source::Selftest("samples"), None),
     measure("self-test, f32 on perfect samples, largest drift, m", Source::Selftest("paper-perfect f32, largest, m"), Some(0.15)),
     measure("self-test, f32x2 on perfect samples, largest drift, m", Source::Selftest("paper-perfect f32x2, largest, m"), Some(5e-3)),
@@ -93,9 +103,10 @@ Instructions are those of QEMU's `-icount shift=0`; they are not cycles. On a bo
 cycles in their place (README.md).
 ";
 
-/// As a number is written and compared.
+/// As a number is written and compared; what is not measured on a machine is none.
 pub fn written(value: f64) -> String {
     match value.abs() {
+        _ if value.is_nan() => "–".to_owned(),
         0.0 => "0".to_owned(),
         1000.0.. => format!("{value:.0}"),
         1.0.. if value.fract() == 0.0 => format!("{value:.0}"),

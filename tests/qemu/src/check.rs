@@ -127,6 +127,14 @@ fn examine(
     if !measured.passed {
         faults.push(format!("the image `budget` failed: {:?}", measured.values));
     }
+    // An aided flight does not fit the RAM of a micro:bit.
+    let aiding = match machine.board {
+        "microbit" => None,
+        _ => Some(qemu::fly(machine, &read("aiding")?, &mut |_| ())?),
+    };
+    if let Some(aiding) = aiding.as_ref().filter(|aiding| !aiding.passed) {
+        faults.push(format!("the image `aiding` failed: {:?}", aiding.values));
+    }
     let (single, planned) = (read("single")?, read("single-planned")?);
     let navigator = read("navigator-f32")?;
     for image in [&single, &planned, &navigator] {
@@ -142,7 +150,10 @@ fn examine(
     if *machine == MACHINES[0] {
         let every = read("navigator")?;
         faults.extend(panics(&every)?);
-        faults.extend(hil::emulated(&every, &places.schuler)?);
+        faults.extend(hil::emulated(&every, &hil::EVERY, &places.schuler)?);
+        let aided = read("navigator-aided")?;
+        faults.extend(forbidden(&aided, machine)?);
+        faults.extend(hil::emulated(&aided, &hil::AIDED, &places.schuler)?);
         let circuit = read("circuit")?;
         // Its reports can panic, as those of the self-test can; nothing else may.
         let reporting = selftest.symbols()?;
@@ -151,7 +162,7 @@ fn examine(
         faults.extend(own.iter().map(|symbol| format!("circuit can panic: {symbol}")));
         faults.extend(paths::fly(machine, &circuit)?);
     }
-    let column = column(&[&single, &planned], &measured, &flown)?;
+    let column = column(&[&single, &planned], [&measured, &flown], aiding.as_ref())?;
     // The budgets are those of the reference board's target.
     if machine.target == MACHINES[0].target {
         for (measure, value) in MEASURES.iter().zip(&column.1) {
@@ -195,14 +206,15 @@ fn forbidden(image: &Image, machine: &Machine) -> Result<Vec<String>, String> {
 /// A machine's numbers, as written and as measured.
 fn column(
     [single, planned]: &[&Image; 2],
-    measured: &Flight,
-    flown: &Flight,
+    [measured, flown]: [&Flight; 2],
+    aiding: Option<&Flight>,
 ) -> Result<(Column, Vec<f64>), String> {
     let mut values = Vec::new();
     for measure in MEASURES {
         values.push(match measure.source {
             Source::Budget(key) => measured.number(key)?,
             Source::Selftest(key) => flown.number(key)?,
+            Source::Aiding(key) => aiding.map_or(Ok(f64::NAN), |aiding| aiding.number(key))?,
             Source::Step => single.size_of(image::is_of_step)? as f64,
             Source::PlannedStep => planned.size_of(image::is_of_step)? as f64,
             Source::Image => single.size(&[".text", ".rodata"])? as f64,

@@ -53,21 +53,32 @@ pub fn fly(machine: &Machine, image: &Image, schuler: &Path) -> Result<Option<St
     Ok(Some(said))
 }
 
-/// What `schuler hil --device qemu` is flown with: in double precision, by the textbook, and with faults.
-const EMULATED: [&str; 3] = [
-    "--precision f64 --window 2,4,2 --duration 3",
-    "--precision f64 --algorithm textbook --duration 3",
-    "--precision f32x2 --window 0,4,0 --duration 5 --faults all=0.1 --retries 20",
+/// What `schuler hil --device qemu` is flown with, with the image of every mechanization: in double precision, by the
+/// textbook, and with faults.
+pub const EVERY: [&str; 3] = [
+    "paper --precision f64 --window 2,4,2 --duration 3",
+    "paper --precision f64 --algorithm textbook --duration 3",
+    "paper --precision f32x2 --window 0,4,0 --duration 5 --faults all=0.1 --retries 20",
+];
+
+/// The same with the image of aided flights: with measurements, and a unit that identifies itself.
+pub const AIDED: [&str; 3] = [
+    "aided-drive --precision f32 --duration 20",
+    "aided-drive --precision f32 --duration 20 --faults all=0.05 --retries 20",
+    "paper --precision f32 --allan --duration 60 --faults all=0.05 --retries 20",
 ];
 
 /// What `schuler hil` says of flights with an image that it starts QEMU for by itself, where one fails.
-pub fn emulated(image: &Image, schuler: &Path) -> Result<Vec<String>, String> {
+pub fn emulated(image: &Image, flights: &[&str], schuler: &Path) -> Result<Vec<String>, String> {
     let mut failed = Vec::new();
-    for options in EMULATED {
+    for options in flights {
         let out = tempfile::tempdir().map_err(|error| error.to_string())?;
-        let mut command = Command::new(schuler);
-        command.args(["hil", "paper", "--device", "qemu", "--no-report", "--image"]);
-        command.arg(&image.path).args(options.split_whitespace()).arg("--out").arg(out.path());
+        let whole = |path: &Path| path.canonicalize().map_err(|error| error.to_string());
+        let mut command = Command::new(whole(schuler)?);
+        // What identifies itself writes no files.
+        command.current_dir(out.path()).args(["hil", "--device", "qemu", "--image"]);
+        command.arg(whole(&image.path)?);
+        command.args(options.split_whitespace());
         let ran = command.output().map_err(|error| format!("{}: {error}", schuler.display()))?;
         if !ran.status.success() {
             let said = String::from_utf8_lossy(&ran.stderr);

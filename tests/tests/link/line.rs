@@ -48,6 +48,7 @@ impl Line {
                     format!("at {} of {}: {:b}", at.integrated, at.taken, at.came)
                 }
                 Body::Restoring { words } => format!("{words} words"),
+                Body::State { words, offset, .. } => format!("from {offset} of {words} words"),
                 Body::Refused { refusal, taken } => format!("{refusal:?} at {taken}"),
             };
             heard.push((answer.answers, answer.counters, name));

@@ -1,5 +1,6 @@
 //! The link: frames that any byte may hit, and the target's application at its end.
 
+mod aided;
 mod application;
 mod damaged;
 mod framing;

@@ -68,5 +68,5 @@ pub fn initial<M: Entry>(course: &Course) -> Vec<u8> {
 /// The request that starts a mechanization.
 pub fn start<M: Entry>(initial: &[u8], gap: Policy) -> Request<'_> {
     let configuration = M::CONFIGURATION;
-    Request::Start(Start { configuration, order: 20, gap, initial: Bytes(initial) })
+    Request::Start(Start { offer: configuration.into(), order: 20, gap, initial: Bytes(initial) })
 }

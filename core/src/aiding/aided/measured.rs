@@ -124,6 +124,20 @@ pub struct Measured<R> {
 }
 
 impl<R: Scalar> Measured<R> {
+    /// One of double precision in fewer digits.
+    pub fn narrow(measured: &Measured<f64>) -> Self {
+        let of = |x: f64| R::narrow(x);
+        let Measured { at, kind, position, velocity, position_sigma, velocity_sigma } = *measured;
+        Self {
+            at: Instant { samples: at.samples, part: of(at.part) },
+            kind,
+            position: position.map(Pair::narrow),
+            velocity: velocity.map(of),
+            position_sigma: position_sigma.map(of),
+            velocity_sigma: velocity_sigma.map(of),
+        }
+    }
+
     /// Without numbers.
     fn of(at: Instant<R>, kind: Kind) -> Self {
         let one = Vector::new(R::ONE, R::ONE, R::ONE);

@@ -5,6 +5,7 @@
 //! |---|---|
 //! | [`navigator`] | samples and measurements in, navigation and its σ out |
 //! | [`settings`] | what it rests on: states, noise, first uncertainties, gates |
+//! | `settings_record` | the same as words |
 //! | [`measured`] | measurements: position, velocity, height, speed, standing still, wheels |
 //! | [`instant`] | a time counted in samples |
 //! | [`queue`] | measurements that wait, sorted |
@@ -43,6 +44,7 @@ mod push;
 pub mod queue;
 pub mod ring;
 pub mod settings;
+mod settings_record;
 mod spread;
 pub mod state;
 mod step;

@@ -173,6 +173,6 @@ where
 {
     record!(
         navigator, filter, stretch, rates, block_s, integrated, pushed, reference, ring, queue,
-        taken, search, tallies, transport
+        taken, search, corrected, anchor, tallies, transport
     );
 }

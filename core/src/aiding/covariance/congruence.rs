@@ -79,7 +79,9 @@ impl<R: Real, const N: usize, const P: usize> Ud<R, N, P> {
     ) {
         let (u, d) = orthogonalise(&mut rows, weights);
         // K columns have K directions, so that a row above is the sum of its parts along the orthogonal rows.
-        for (c, (row, d)) in rows.iter().zip(d).enumerate().rev() {
+        // Backwards through two arrays at once, the standard library keeps a path that panics.
+        for c in (0..K).rev() {
+            let (Some(row), Some(&d)) = (rows.get(c), d.get(c)) else { return };
             let Some((column, slot)) = self.column_mut(first + c) else { return };
             *slot = d;
             let inverse = R::select(R::ZERO.less(d), R::ONE / d, R::ZERO);

@@ -19,6 +19,8 @@ const IMAGE: &str = "tests/firmware/target/thumbv7em-none-eabihf/release/navigat
 #[command(after_help = "Examples:\n  \
     schuler hil paper --duration 60 --precision f32\n  \
     schuler hil hard --faults all=0.01 --fault-seed 7\n  \
+    schuler hil aided-drive --faults all=0.01\n  \
+    schuler hil paper --allan --duration 3600\n  \
     schuler hil paper --device serial:/dev/ttyACM0 --stream")]
 pub struct HilArgs {
     /// A built-in scene (`schuler scenes` lists them) or the path of a TOML file [default: paper]
@@ -30,6 +32,10 @@ pub struct HilArgs {
     /// The image that `--device qemu` runs [default: what tests/firmware builds]
     #[arg(long, value_name = "FILE")]
     pub image: Option<PathBuf>,
+    /// Let the target identify the scene's sensors in place of flying: it gets their errors sample by sample, its Allan
+    /// sums are read back, and what `allan` says of them is printed
+    #[arg(long, conflicts_with_all = ["stream", "rows", "every", "no_report", "out"])]
+    pub allan: bool,
     /// Send each sample at its own time, and measure how long its answer takes
     #[arg(long)]
     pub stream: bool,
@@ -84,7 +90,7 @@ impl HilArgs {
     /// The scene, with every option applied.
     pub fn scene(&self) -> Result<Scene, InputError> {
         load(self.scene.as_deref(), &self.flight, &self.navigator, &self.handling)
-            .and_then(schuler_simulator::scene::unaided)
+            .and_then(schuler_simulator::scene::unaligned)
     }
 
     /// What is written of it.

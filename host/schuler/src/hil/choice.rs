@@ -1,6 +1,7 @@
 //! The configuration that a target is asked to fly: that of the scene, if the target offers it.
 
 use schuler::flight::configuration::Configuration;
+use schuler::link::offer::{Offer, Purpose};
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::scene::{Navigator, WindowShape};
 
@@ -8,15 +9,16 @@ use schuler_simulator::scene::{Navigator, WindowShape};
 pub fn choose(
     navigator: &Navigator,
     planned: WindowShape,
-    offers: &[Configuration],
+    offers: &[Offer],
 ) -> Result<Configuration, InputError> {
     let wanted = navigator.configuration(navigator.window.unwrap_or(planned));
-    if offers.contains(&wanted) {
+    if offers.contains(&wanted.into()) {
         return Ok(wanted);
     }
+    let plain = offers.iter().filter(|offer| offer.purpose == Purpose::Navigation);
     let is_alike =
         |offer: &&Configuration| **offer == Configuration { window: offer.window, ..wanted };
-    let alike = offers.iter().filter(is_alike);
+    let alike = plain.map(|offer| &offer.configuration).filter(is_alike);
     let samples = |offer: &&Configuration| offer.window.samples();
     // What a motion needs that is too fast for its own block, the widest window gives; the narrowest, else.
     let WindowShape { history, lookahead, .. } = wanted.window;
@@ -24,12 +26,31 @@ pub fn choose(
         if history + lookahead > 0 { alike.max_by_key(samples) } else { alike.min_by_key(samples) };
     match other.filter(|_| navigator.window.is_none()) {
         Some(&other) => Ok(other),
-        None => {
-            let accepted: Vec<_> = offers.iter().map(Configuration::to_string).collect();
-            let what = format!("the target does not fly {}", wanted);
-            Err(InputError::option("navigator", Complaint::new(what, accepted.join("; "))))
-        }
+        None => Err(not_offered(wanted.into(), offers)),
     }
+}
+
+/// The one that is wanted, and no other.
+pub fn exactly(wanted: Offer, offers: &[Offer]) -> Result<(), InputError> {
+    if offers.contains(&wanted) { Ok(()) } else { Err(not_offered(wanted, offers)) }
+}
+
+fn not_offered(wanted: Offer, offers: &[Offer]) -> InputError {
+    let does = match wanted.purpose {
+        Purpose::Identification => "do",
+        Purpose::Navigation | Purpose::Aiding => "fly",
+    };
+    let accepted: Vec<_> = offers
+        .iter()
+        .filter(|offer| offer.purpose == wanted.purpose)
+        .map(Offer::to_string)
+        .collect();
+    let accepted = match accepted.is_empty() {
+        true => "a target whose image has it: navigator-aided of tests/firmware".to_owned(),
+        false => accepted.join("; "),
+    };
+    let what = format!("the target does not {does} {wanted}");
+    InputError::option("navigator", Complaint::new(what, accepted))
 }
 
 #[cfg(test)]
@@ -38,7 +59,7 @@ mod tests {
     use schuler::link::fleet::{Every, Fleet, Single};
     use schuler_simulator::scene::{Algorithm, Precision};
 
-    fn offers<F: Fleet>() -> Vec<Configuration> {
+    fn offers<F: Fleet>() -> Vec<Offer> {
         let mut offers = Vec::new();
         F::offers(&mut |offer| offers.push(offer));
         offers

@@ -21,7 +21,8 @@ impl InProcess {
         Self::new(application::single())
     }
 
-    fn new(mut target: Box<dyn Application>) -> Self {
+    /// Switched on.
+    pub fn new(mut target: Box<dyn Application>) -> Self {
         let mut answers = Vec::new();
         target.hello(&mut |bytes| answers.extend_from_slice(bytes));
         Self { target, answers }

@@ -1,6 +1,16 @@
 //! Target and twin in step: one sample out, one answer back, and every bit compared.
+//!
+//! | file | what it has |
+//! |---|---|
+//! | `start` | starting a target, and putting it back to where its twin stands |
+//! | `aiding` | measurements, and what a filter says |
+//! | `read` | the whole state of a target, beside its twin's |
+//! | `vehicle` | both sides as the vehicle of a flight |
 
+mod aiding;
+mod read;
 mod start;
+mod vehicle;
 
 use super::conversation::{Conversation, Outcome};
 use super::difference::{self, Difference};
@@ -14,11 +24,14 @@ use schuler::link::gap::{MOST_BRIDGED, Policy};
 use schuler::link::{message::Request, refusal::Refusal};
 use schuler::sample::Increment;
 use schuler_simulator::input::Complaint;
-use schuler_simulator::navigator::{Navigate, Reader};
+use schuler_simulator::navigator::Reader;
 use schuler_simulator::scene::WindowShape;
-use schuler_simulator::simulate::{Refused, Vehicle};
+use schuler_simulator::simulate::Refused;
 use schuler_simulator::twin::{Beginning, Standing, Twin};
 use std::sync::{Arc, Mutex, PoisonError};
+
+pub use aiding::Aiding;
+pub use vehicle::Boarded;
 
 /// What is left of a lockstep flight when it has ended, well or not.
 #[derive(Clone, Debug, Default)]
@@ -46,21 +59,19 @@ pub struct Parts {
     pub beginning: Beginning,
     /// The host's side.
     pub twin: Twin,
-    /// A navigator of the same kind, whose time is taken.
-    pub navigator: Box<dyn Navigate>,
     /// Samples per second.
     pub rate_hz: f64,
     /// In real time, if there is one.
     pub pace: Option<Pace>,
+    /// What aids the flight, if anything does.
+    pub aiding: Option<Aiding>,
 }
 
-/// A vehicle that is a target and its twin.
+/// A target and its twin.
 pub struct Lockstep {
     conversation: Conversation,
     beginning: Beginning,
     twin: Twin,
-    /// The host's own, for the time that it takes.
-    navigator: Box<dyn Navigate>,
     rate_hz: f64,
     /// Samples so far.
     samples: u32,
@@ -69,25 +80,27 @@ pub struct Lockstep {
     /// Samples that were given up, while it is not known which of them the target has.
     open: Vec<(u32, Vec<u8>)>,
     pace: Option<Pace>,
+    aiding: Option<Aiding>,
     log: Log,
 }
 
 impl Lockstep {
     /// Starts both sides; what happens is left in the log.
     pub fn start(parts: Parts, log: Log) -> Result<Self, Parted> {
-        let Parts { conversation, beginning, twin, navigator, rate_hz, pace } = parts;
+        let Parts { conversation, beginning, twin, rate_hz, pace, aiding } = parts;
         let mut lockstep = Self {
             conversation,
             beginning,
             twin,
-            navigator,
             rate_hz,
             samples: 0,
             reached: 0,
             open: Vec::new(),
             pace,
+            aiding,
             log,
         };
+        lockstep.claim();
         let reply = lockstep.begin()?;
         lockstep.agree(reply)?;
         Ok(lockstep)
@@ -128,7 +141,7 @@ impl Lockstep {
 
     /// The twin takes what the target has taken.
     fn take(&mut self, number: u32, increment: &[u8], read: &mut Reader) -> Result<(), Parted> {
-        let taken = self.twin.take(number, increment, read);
+        let taken = self.by_twin(read, |twin, read| twin.take(number, increment, read));
         taken.map_err(|twin| Parted::Refusal { target: None, twin: Some(twin) })?;
         self.reached = number;
         Ok(())
@@ -138,7 +151,7 @@ impl Lockstep {
         match reply {
             Reply::Standing(standing) => self.compare(&standing),
             Reply::Refused(target, _) => Err(Parted::Refusal { target: Some(target), twin: None }),
-            Reply::Hello { .. } | Reply::Restoring(_) => Err(Parted::Answer("what it is asked")),
+            _ => Err(Parted::Answer("what it is asked")),
         }
     }
 
@@ -178,7 +191,8 @@ impl Lockstep {
                 self.compare(&standing).map(Ok)
             }
             Some(Reply::Refused(target, _)) => {
-                refused(Some(target), self.twin.take(number, &increment, read).err())
+                let twin = self.by_twin(read, |twin, read| twin.take(number, &increment, read));
+                refused(Some(target), twin.err())
             }
             Some(_) => Err(Parted::Answer("a sample")),
             None => {
@@ -205,17 +219,22 @@ impl Lockstep {
         }
     }
 
-    fn end(&mut self, read: &mut Reader) -> Result<Result<(), Refused>, Parted> {
+    /// The end of the stream: both sides take what waits, and of an aided flight the whole state is compared.
+    pub(super) fn end(&mut self, read: &mut Reader) -> Result<Result<(), Refused>, Parted> {
         let request = Request::Finish { samples: self.samples };
         let reply = self.ask(&request)?.ok_or(Parted::Silence("the end of the stream"))?;
         if let Reply::Standing(standing) = &reply {
             self.settle(standing, read)?;
         }
-        let twin = self.twin.finish(self.samples, read).err();
+        let samples = self.samples;
+        let twin = self.by_twin(read, |twin, read| twin.finish(samples, read)).err();
         if twin.is_some() {
             return refused(reply.refusal(), twin);
         }
         self.agree(reply)?;
+        if self.aiding.is_some() {
+            self.read_back()?;
+        }
         // What was put in shows only in the frames that follow it.
         if self.conversation.calm() {
             for _ in 0..2 {
@@ -258,43 +277,7 @@ impl Lockstep {
 fn refused(target: Option<Refusal>, twin: Option<Refusal>) -> Result<Result<(), Refused>, Parted> {
     match target {
         Some(Refusal::Rejected(why)) if twin == target => Ok(Err(why.into())),
+        Some(Refusal::Aided(why)) if twin == target => Ok(Err(why.into())),
         _ => Err(Parted::Refusal { target, twin }),
-    }
-}
-
-impl Drop for Lockstep {
-    fn drop(&mut self) {
-        let mut tally = self.conversation.tally();
-        tally.bridged = self.twin.bridged().into();
-        self.ended(|ended| ended.tally = tally);
-    }
-}
-
-impl Vehicle for Lockstep {
-    fn push(&mut self, sample: &Increment<f64>, read: &mut Reader) -> Result<(), Refused> {
-        self.sample(sample, read).map_err(|parted| self.stop(&parted))?
-    }
-
-    fn hold_vertical(&mut self, altitude_m: f64, down_m_s: f64) -> Result<(), Refused> {
-        self.hold(altitude_m, down_m_s).map_err(|parted| self.stop(&parted))?
-    }
-
-    fn finish(&mut self, read: &mut Reader) -> Result<(), Refused> {
-        self.end(read).map_err(|parted| self.stop(&parted))?
-    }
-
-    // The target has not taken what its twin has not.
-    fn break_off(&mut self, _: &mut Reader) {}
-
-    fn integrated(&self) -> u64 {
-        self.twin.standing().integrated
-    }
-
-    fn digest(&self) -> u64 {
-        self.twin.standing().digest
-    }
-
-    fn navigator(&self) -> &dyn Navigate {
-        self.navigator.as_ref()
     }
 }

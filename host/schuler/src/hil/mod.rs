@@ -2,6 +2,7 @@
 //!
 //! [`device`] opens a [`channel`], into which an [`injector`] may inject [`faults`]; a [`conversation`] sends
 //! requests and receives answers; [`lockstep`] flies both sides with it, and [`tally`] counts errors on the link.
+//! [`identify`] lets a target identify a unit at rest in place of flying.
 
 pub mod channel;
 pub mod child;
@@ -11,11 +12,13 @@ pub mod cutter;
 pub mod device;
 pub mod difference;
 pub mod faults;
+pub mod identify;
 pub mod in_process;
 pub mod injector;
 pub mod lockstep;
 pub mod pace;
 pub mod parted;
+mod parts;
 pub mod patience;
 pub mod reply;
 pub mod serve;
@@ -30,25 +33,20 @@ use channel::Channel;
 use conversation::{Conversation, Outcome};
 use faults::Rates;
 use injector::Injector;
-use lockstep::{Ended, Lockstep, Log, Parts};
-use pace::Pace;
+use lockstep::{Boarded, Ended, Lockstep, Log};
 use patience::{PATIENCE, Patience};
 use reply::Reply;
-use schuler::flight::configuration::Configuration;
 use schuler::link::message::VERSION;
-use schuler::math::compensated::Pair;
-use schuler::solution::Solution;
+use schuler::link::offer::Offer;
 use schuler_simulator::flight::{Flight, LinkReport};
 use schuler_simulator::input::name::path_of;
 use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::navigator;
 use schuler_simulator::output::say;
 use schuler_simulator::plan::Plan;
 use schuler_simulator::progress::Progress;
 use schuler_simulator::scene::Scene;
 use schuler_simulator::simulate::{FlightError, Simulation, Vehicle};
 use schuler_simulator::source::Source;
-use schuler_simulator::twin::{Beginning, Twin};
 use std::path::{Path, PathBuf};
 use std::sync::PoisonError;
 use std::time::Duration;
@@ -73,6 +71,9 @@ pub struct Manner {
 /// files of `run`.
 pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
     let scene = args.scene()?;
+    if args.allan {
+        return identify::identify(args, &scene);
+    }
     let directory =
         args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(path_of(&scene.name)));
     report::files::tell_replaced(&directory);
@@ -162,7 +163,7 @@ fn check(flight: &Flight) -> Result<(), FlightError> {
 pub struct Met {
     conversation: Conversation,
     /// What it can fly.
-    offers: Vec<Configuration>,
+    offers: Vec<Offer>,
 }
 
 /// Flies a scene in step with a target to its end; what happened on the link is left in the log,
@@ -190,9 +191,14 @@ pub fn fly_as_far(
 ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
     let Met { mut conversation, offers } = met;
     let planned = Plan::new(scene, &Source::new(scene, false)?, false).window;
-    let configuration = choice::choose(&scene.navigator, planned, &offers)?;
+    let is_aided = scene.aiding.is_there();
+    let configuration = if is_aided {
+        parts::aided(scene, &offers)?
+    } else {
+        choice::choose(&scene.navigator, planned, &offers)?
+    };
     let mut scene = scene.clone();
-    let flown = configuration.window();
+    let flown = if is_aided { scene.navigator.window } else { configuration.window() };
     if scene.navigator.window.is_none() && flown.is_some_and(|flown| flown != planned) {
         log.lock().unwrap_or_else(PoisonError::into_inner).planned_window = Some(planned);
     }
@@ -200,10 +206,13 @@ pub fn fly_as_far(
     if let Some((rates, seed)) = manner.faults {
         conversation = conversation.wrap(|channel| Box::new(Injector::new(channel, rates, seed)));
     }
-    let simulation = Simulation::new(&scene, false)?.aboard(|plan, initial| {
-        let parts = parts(&scene, plan, initial, conversation, configuration, manner)?;
+    let simulation = Simulation::new(&scene, false)?;
+    let claims = simulation.claims();
+    let simulation = simulation.aboard(|plan, initial| {
+        let asked = (configuration, claims);
+        let (parts, navigator) = parts::of(&scene, plan, initial, conversation, asked, manner)?;
         let lockstep = Lockstep::start(parts, log.clone()).map_err(stopped)?;
-        Ok::<Box<dyn Vehicle>, FlightError>(Box::new(lockstep))
+        Ok::<Box<dyn Vehicle>, FlightError>(Box::new(Boarded::new(lockstep, navigator)))
     })?;
     let (mut flight, end) = simulation.fly_as_far(observe, progress)?;
     // What the target has filled in is no more the scene's than what the scene itself has lost.
@@ -213,27 +222,6 @@ pub fn fly_as_far(
         flight.forget_theory();
     }
     Ok((flight, end))
-}
-
-fn parts(
-    scene: &Scene,
-    plan: &Plan,
-    initial: &Solution<f64>,
-    conversation: Conversation,
-    configuration: Configuration,
-    manner: &Manner,
-) -> Result<Parts, FlightError> {
-    let (rate_hz, navigator) = (scene.rate_hz, &scene.navigator);
-    let interval_s = Pair::new(rate_hz).reciprocal();
-    let gap = navigator.gap.into();
-    let beginning = Beginning::new(configuration, plan.order, gap, interval_s, initial);
-    let twin = Twin::start(&beginning).map_err(|refusal| {
-        let complaint = Complaint::new(refusal.to_string(), "");
-        FlightError::Input(InputError::option("navigator", complaint))
-    })?;
-    let navigator = navigator::start(navigator, plan.window, plan.order, interval_s, initial)?;
-    let pace = manner.stream.then(|| Pace::new(rate_hz));
-    Ok(Parts { conversation, beginning, twin, navigator, rate_hz, pace })
 }
 
 /// Greets the target at the end of a channel; `device` is what users call it.

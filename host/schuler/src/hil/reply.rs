@@ -1,7 +1,7 @@
 //! A target's answer, independent of the bytes that it was received in.
 
-use schuler::flight::configuration::Configuration;
 use schuler::link::message::Body;
+use schuler::link::offer::Offer;
 use schuler::link::refusal::Refusal;
 use schuler_simulator::twin::Standing;
 
@@ -12,13 +12,22 @@ pub enum Reply {
     Hello {
         /// Its version of the protocol.
         version: u8,
-        /// What it can fly.
-        offers: Vec<Configuration>,
+        /// What it can do.
+        offers: Vec<Offer>,
     },
     /// Where it stands.
     Standing(Standing),
     /// How many words of a stored state it has.
     Restoring(u16),
+    /// A piece of its state.
+    State {
+        /// Words of the whole state.
+        words: u16,
+        /// Where the piece begins.
+        offset: u16,
+        /// Some words of it, eight bytes each.
+        piece: Vec<u8>,
+    },
     /// It does not do what was asked, at a sample.
     Refused(Refusal, u32),
 }
@@ -33,8 +42,7 @@ impl Reply {
     pub fn of(body: Body, time_ns: u64) -> Self {
         match body {
             Body::Hello { version, mut offers } => {
-                let offers =
-                    std::iter::from_fn(|| Some(Configuration::from_bytes(offers.array()?)));
+                let offers = std::iter::from_fn(|| Some(Offer::from_bytes(offers.array()?)));
                 Self::Hello { version, offers: offers.flatten().collect() }
             }
             Body::Solution(standing) => Self::Standing(Standing {
@@ -46,6 +54,9 @@ impl Reply {
                 solution: standing.solution.0.to_vec(),
             }),
             Body::Restoring { words } => Self::Restoring(words),
+            Body::State { words, offset, piece } => {
+                Self::State { words, offset, piece: piece.0.to_vec() }
+            }
             Body::Refused { refusal, taken } => Self::Refused(refusal, taken),
         }
     }

@@ -10,7 +10,7 @@ use schuler::solution::{Euler, Solution};
 use schuler_host::hil::conversation::Conversation;
 use schuler_host::hil::in_process::InProcess;
 use schuler_host::hil::injector::Injector;
-use schuler_host::hil::lockstep::{Lockstep, Log, Parts};
+use schuler_host::hil::lockstep::{Boarded, Lockstep, Log, Parts};
 use schuler_simulator::navigator;
 use schuler_simulator::scene::{Navigator, WindowShape};
 use schuler_simulator::simulate::Vehicle;
@@ -52,9 +52,9 @@ fn of_a_million_frames_nothing_wrong_is_accepted_and_nothing_right_is_lost() {
     target.greet().unwrap();
     let conversation = target.wrap(|target| Box::new(Injector::new(target, rates, seed)));
     let log = Log::default();
-    let navigator = start();
-    let parts = Parts { conversation, beginning, twin, navigator, rate_hz: RATE_HZ, pace: None };
-    let mut lockstep = Lockstep::start(parts, log.clone()).unwrap();
+    let (pace, aiding) = (None, None);
+    let parts = Parts { conversation, beginning, twin, rate_hz: RATE_HZ, pace, aiding };
+    let mut lockstep = Boarded::new(Lockstep::start(parts, log.clone()).unwrap(), start());
     // A navigator that no link lies before.
     let mut alone = start();
     let samples = FRAMES / 2;

@@ -1,9 +1,11 @@
 //! `schuler hil`: a target and its twin in step, with and without faults on the line between them.
 
+mod aided;
 mod bits;
 mod command;
 mod devices;
 mod difference;
+mod identify;
 mod million;
 mod sessions;
 

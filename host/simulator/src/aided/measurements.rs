@@ -12,6 +12,38 @@ use schuler::trajectory::Trajectory as _;
 /// A measurement, and when it arrives, s.
 pub type Arriving = (f64, Measured<f64>);
 
+/// The measurements of a run on their way.
+#[derive(Clone, Debug)]
+pub struct Arrivals {
+    all: Vec<Arriving>,
+    next: usize,
+    rate_hz: f64,
+}
+
+impl Arrivals {
+    /// Of a run of a scene.
+    pub fn new(scene: &Scene, source: &Source, run: u64) -> Self {
+        Self::of(of_run(scene, source, run), scene.rate_hz)
+    }
+
+    /// Of measurements in the order of their arrival, beside samples of a rate in hertz.
+    pub fn of(all: Vec<Arriving>, rate_hz: f64) -> Self {
+        Self { all, next: 0, rate_hz }
+    }
+
+    /// The next one that has arrived by the end of a sample.
+    pub fn by(&mut self, sample: u64) -> Option<Measured<f64>> {
+        let now_s = sample as f64 / self.rate_hz;
+        // A millionth of a sample for times that are no whole numbers.
+        let (_, measured) = self
+            .all
+            .get(self.next)
+            .filter(|(arrives_s, _)| *arrives_s <= now_s + 1e-6 / self.rate_hz)?;
+        self.next += 1;
+        Some(*measured)
+    }
+}
+
 /// All measurements of a run, sorted by their arrival; of the same time in the order of the sensors.
 pub fn of_run(scene: &Scene, source: &Source, run: u64) -> Vec<Arriving> {
     let (seed, aiding) = (scene.seed, &scene.aiding);

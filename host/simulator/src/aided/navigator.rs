@@ -7,8 +7,7 @@ use super::smoother::{Smoothed, Steps};
 use crate::input::{Complaint, InputError};
 use crate::scene::{Algorithm, Axes, Navigator as Configuration, Precision, Scene};
 use schuler::aiding::aided::fault::AidedFault;
-use schuler::aiding::aided::instant::Instant;
-use schuler::aiding::aided::measured::{Measured, Sensor};
+use schuler::aiding::aided::measured::Measured;
 use schuler::aiding::aided::navigator::Aided;
 use schuler::aiding::aided::settings::Settings;
 use schuler::aiding::aided::state::AidedState;
@@ -143,12 +142,7 @@ where
         state,
         carried: Carried::default(),
         digest: Digest::default(),
-        seen: Seen {
-            rate_hz: made.rate_hz,
-            judged: Vec::new(),
-            restarts: Vec::new(),
-            steps: made.smoother.then(Steps::default),
-        },
+        seen: Seen::new(made.rate_hz, made.smoother.then(Steps::default)),
     }))
 }
 
@@ -161,20 +155,6 @@ struct Flying<M: Mechanization> {
     carried: Carried,
     digest: Digest,
     seen: Seen,
-}
-
-/// A measurement in other digits.
-fn narrowed<R: Scalar>(measured: &Measured<f64>) -> Measured<R> {
-    let of = |x: f64| R::narrow(x);
-    let Measured { at, kind, position, velocity, position_sigma, velocity_sigma } = *measured;
-    Measured {
-        at: Instant { samples: at.samples, part: of(at.part) },
-        kind,
-        position: position.map(Pair::narrow),
-        velocity: velocity.map(of),
-        position_sigma: position_sigma.map(of),
-        velocity_sigma: velocity_sigma.map(of),
-    }
 }
 
 impl<R, M> Flying<M>
@@ -201,7 +181,7 @@ where
     M: Mechanization<Real = R, Body = BodyMotion<R>, Frame: Record, State: Send> + Send + 'static,
 {
     fn measure(&mut self, measured: &Measured<f64>) -> Result<(), AidedFault> {
-        match self.aided.measure(&mut self.state, &narrowed(measured)) {
+        match self.aided.measure(&mut self.state, &Measured::narrow(measured)) {
             Err(AidedFault::Late | AidedFault::Again | AidedFault::Full) => Ok(()),
             done => done,
         }
@@ -243,9 +223,7 @@ where
     }
 
     fn report(&self) -> Report {
-        let lockouts = Sensor::ALL.map(|sensor| self.state.tally(sensor).lockouts());
-        let transport = *self.state.transport();
-        Report::new(&self.seen.judged, &self.seen.restarts, lockouts, transport)
+        self.seen.report(&self.state)
     }
 
     fn smoothed(&self) -> Vec<Smoothed> {

@@ -1,21 +1,47 @@
 //! What is seen of a filter: its verdicts, its new starts, and its steps for a smoother.
 
-use super::report::Judgement;
+use super::report::{Judgement, Report};
 use super::smoother::Steps;
+use schuler::aiding::aided::measured::Sensor;
+use schuler::aiding::aided::state::AidedState;
 use schuler::aiding::aided::verdict::{Step, Verdict, Witness};
 use schuler::aiding::covariance::ud::Ud;
 use schuler::math::real::Scalar;
+use schuler::strapdown::mechanization::Mechanization;
 
 /// What is seen of the filter.
 pub struct Seen {
     /// Samples per second.
-    pub rate_hz: f64,
+    rate_hz: f64,
     /// Every measurement.
-    pub judged: Vec<Judgement>,
+    judged: Vec<Judgement>,
     /// When the filter started again, s.
-    pub restarts: Vec<f64>,
+    restarts: Vec<f64>,
     /// For a smoother.
     pub steps: Option<Steps>,
+}
+
+impl Seen {
+    /// Nothing yet, beside samples of a rate in hertz; with steps for a smoother, if there is one.
+    pub fn new(rate_hz: f64, steps: Option<Steps>) -> Self {
+        Self { rate_hz, judged: Vec::new(), restarts: Vec::new(), steps }
+    }
+
+    /// What became of the measurements.
+    pub fn report<
+        M: Mechanization,
+        const N: usize,
+        const P: usize,
+        const E: usize,
+        const L: usize,
+        const Q: usize,
+    >(
+        &self,
+        state: &AidedState<M, N, P, E, L, Q>,
+    ) -> Report {
+        let lockouts = Sensor::ALL.map(|sensor| state.tally(sensor).lockouts());
+        Report::new(&self.judged, &self.restarts, lockouts, *state.transport())
+    }
 }
 
 impl<R: Scalar, const N: usize, const P: usize, const E: usize> Witness<R, N, P, E> for Seen {

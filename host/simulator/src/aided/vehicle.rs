@@ -1,6 +1,6 @@
 //! One run's navigator with its measurements.
 
-use super::measurements::{self, Arriving};
+use super::measurements::{self, Arrivals, Arriving};
 use super::navigator::{self, Aids};
 use super::report::Report;
 use crate::input::InputError;
@@ -13,10 +13,8 @@ use schuler::solution::Solution;
 /// A run's navigator with its measurements.
 pub struct AidedVehicle {
     navigator: Box<dyn Aids>,
-    arriving: Vec<Arriving>,
-    next: usize,
+    arriving: Arrivals,
     taken: u64,
-    rate_hz: f64,
 }
 
 impl AidedVehicle {
@@ -34,21 +32,14 @@ impl AidedVehicle {
 
     /// A navigator with measurements in the order of their arrival.
     pub fn with(navigator: Box<dyn Aids>, arriving: Vec<Arriving>, rate_hz: f64) -> Self {
-        Self { navigator, arriving, next: 0, taken: 0, rate_hz }
+        Self { navigator, arriving: Arrivals::of(arriving, rate_hz), taken: 0 }
     }
 
     /// Takes the measurements that have arrived by the end of the next sample, and the sample.
     pub fn push(&mut self, sample: &Increment<f64>) -> Result<(), AidedFault> {
         self.taken += 1;
-        let now_s = self.taken as f64 / self.rate_hz;
-        // A millionth of a sample for times that are no whole numbers.
-        while let Some((_, measured)) = self
-            .arriving
-            .get(self.next)
-            .filter(|(arrives_s, _)| *arrives_s <= now_s + 1e-6 / self.rate_hz)
-        {
-            self.next += 1;
-            self.navigator.measure(measured)?;
+        while let Some(measured) = self.arriving.by(self.taken) {
+            self.navigator.measure(&measured)?;
         }
         self.navigator.push(sample)
     }

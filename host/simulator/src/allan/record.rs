@@ -70,15 +70,38 @@ impl Gathering {
     }
 }
 
+/// Who adds up the increments of six axes.
+pub trait Sums {
+    /// Takes a sample.
+    fn add(&mut self, sample: &Increment<f64>) -> Result<(), Complaint>;
+    /// The points of each axis so far.
+    fn points(&mut self) -> Result<[Vec<Point<f64>>; 6], Complaint>;
+}
+
+impl Sums for Gathering {
+    fn add(&mut self, sample: &Increment<f64>) -> Result<(), Complaint> {
+        Gathering::add(self, six(sample))
+    }
+
+    fn points(&mut self) -> Result<[Vec<Point<f64>>; 6], Complaint> {
+        Ok(Gathering::points(self))
+    }
+}
+
 /// The sensor errors of a scene: what the sensors read less what perfect ones would.
 pub fn of_scene(scene: &Scene) -> Result<Record, SceneError> {
+    of_scene_by(scene, &mut Gathering::new(1.0 / scene.rate_hz)?)
+}
+
+/// The same, added up by somebody else.
+pub fn of_scene_by(scene: &Scene, sums: &mut dyn Sums) -> Result<Record, SceneError> {
     let source = Source::new(scene, false)?;
     let (interval_s, samples) = (1.0 / scene.rate_hz, scene.samples());
     if samples < FEWEST {
         return Err(too_few(samples).into());
     }
-    let mut gathering = Gathering::new(interval_s)?;
     let mut stream = source.start(0);
+    let (mut first, mut changes) = (None, [false; 6]);
     for sample in 1..=samples {
         let perfect = source.perfect_sample(sample);
         let read = stream.sense(&perfect);
@@ -86,7 +109,18 @@ pub fn of_scene(scene: &Scene) -> Result<Record, SceneError> {
             angle_b: read.angle_b - perfect.angle_b,
             velocity_b: read.velocity_b - perfect.velocity_b,
         };
-        gathering.add(six(&off))?;
+        sums.add(&off)?;
+        let values = six(&off);
+        let first = first.get_or_insert(values);
+        for (change, (value, first)) in changes.iter_mut().zip(values.iter().zip(first.iter())) {
+            *change |= value != first;
+        }
+    }
+    let mut axes = sums.points()?;
+    for (points, changes) in axes.iter_mut().zip(changes) {
+        if !changes {
+            points.clear();
+        }
     }
     let mut said = Vec::new();
     if stream.saturated() > 0 {
@@ -104,7 +138,7 @@ pub fn of_scene(scene: &Scene) -> Result<Record, SceneError> {
         );
     }
     let timing = Timing::new(interval_s, samples).map_err(SourceError::Sensor)?;
-    Ok(Record { timing, axes: gathering.points(), said })
+    Ok(Record { timing, axes, said })
 }
 
 /// Why a scene has no deviation.

@@ -111,6 +111,11 @@ pub fn unaided(scene: Scene) -> Result<Scene, InputError> {
         let accepted = "a scene without [gnss] and the like; run and ensemble fly it";
         return Err(InputError::option("filter", Complaint::new(what, accepted)));
     }
+    unaligned(scene)
+}
+
+/// Refuses a scene that begins with an alignment, where flights start from what is known.
+pub fn unaligned(scene: Scene) -> Result<Scene, InputError> {
     if scene.alignment.is_none() {
         return Ok(scene);
     }

@@ -24,6 +24,19 @@ pub struct Claims {
     pub report: Rc<RefCell<Option<Report>>>,
 }
 
+impl Claims {
+    /// Says what a drift is by its covariance.
+    pub fn claim(&self, covariance: &[[f64; 9]; 9]) {
+        let sigma = |i: usize| covariance[i][i].max(0.0).sqrt();
+        let three = |i: usize| Vector::new(sigma(i), sigma(i + 1), sigma(i + 2));
+        self.sigma.set(nine(&Drift {
+            position_ned: three(0),
+            velocity_ned: three(3),
+            attitude_ned: three(6),
+        }));
+    }
+}
+
 /// An aided navigator.
 pub struct Riding {
     vehicle: AidedVehicle,
@@ -42,14 +55,7 @@ impl Riding {
 
     /// Says what its drift is.
     fn claim(&self) {
-        let covariance = self.vehicle.navigator().covariance();
-        let sigma = |i: usize| covariance[i][i].max(0.0).sqrt();
-        let three = |i: usize| Vector::new(sigma(i), sigma(i + 1), sigma(i + 2));
-        self.claims.sigma.set(nine(&Drift {
-            position_ned: three(0),
-            velocity_ned: three(3),
-            attitude_ned: three(6),
-        }));
+        self.claims.claim(&self.vehicle.navigator().covariance());
     }
 
     /// Reads the row of a block that has ended since.

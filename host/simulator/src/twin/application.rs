@@ -1,7 +1,28 @@
 //! The target's application on this machine, whatever it can fly.
 
+use schuler::link::aided::Linked;
+use schuler::link::aided_fleet::EveryAided;
 use schuler::link::fleet::{Every, Fleet, Single};
+use schuler::link::identification::Identification;
 use schuler::link::target::Target;
+use schuler::navigators::Navigator4;
+
+schuler::fleet! {
+    /// Whatever the link has.
+    Whole {
+        Plain: Every,
+        Aided: EveryAided,
+        F64Unit: Identification<f64>,
+        F32Unit: Identification<f32>,
+    }
+
+    /// The same without double precision.
+    WholeSingle {
+        Plain: Single,
+        Aided: Linked<Navigator4<f32>>,
+        Unit: Identification<f32>,
+    }
+}
 
 /// A target's application.
 pub trait Application: Send {
@@ -25,10 +46,10 @@ impl<F: Fleet + Send> Application for Target<F> {
 
 /// One that flies whatever the link has, switched on.
 pub fn every() -> Box<dyn Application> {
-    Box::new(Target::<Every>::new(0))
+    Box::new(Target::<Whole>::new(0))
 }
 
 /// One that has no double precision, as the smallest boards.
 pub fn single() -> Box<dyn Application> {
-    Box::new(Target::<Single>::new(0))
+    Box::new(Target::<WholeSingle>::new(0))
 }

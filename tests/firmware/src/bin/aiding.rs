@@ -5,7 +5,6 @@
 #![no_main]
 
 use core::hint::black_box;
-use schuler::aiding::aided::fault::AidedFault;
 use schuler::aiding::aided::instant::Instant;
 use schuler::aiding::aided::measured::Measured;
 use schuler::aiding::aided::navigator::Aided;
@@ -17,7 +16,8 @@ use schuler::aiding::states::Process;
 use schuler::aiding::surroundings::{Pose, Surroundings};
 use schuler::aiding::transition::{Stretch, Transition};
 use schuler::prelude::*;
-use schuler_firmware::board::{self, Counter, entry, stack::Painted};
+use schuler_firmware::board::{Counter, stack::Painted};
+use schuler_firmware::fault::Fault;
 
 /// Steps and measurements that a mean is taken over.
 const TIMES: u32 = 64;
@@ -27,43 +27,7 @@ const SAMPLES: u64 = 1000;
 type Flight = Aided<Navigator4<f32>, 15, 120, 0, 8, 4>;
 type Flying = AidedState<Navigator4<f32>, 15, 120, 0, 8, 4>;
 
-/// What can go wrong.
-#[derive(defmt::Format)]
-enum Fault {
-    /// The navigator does not start.
-    Start(StartError),
-    /// The aided navigator refuses something.
-    Aided(AidedFault),
-    /// There is no counter of instructions or cycles.
-    Counter,
-}
-
-impl From<StartError> for Fault {
-    fn from(error: StartError) -> Self {
-        Self::Start(error)
-    }
-}
-
-impl From<AidedFault> for Fault {
-    fn from(fault: AidedFault) -> Self {
-        Self::Aided(fault)
-    }
-}
-
-#[entry]
-fn main() -> ! {
-    let measured = measure();
-    if let Err(fault) = &measured {
-        defmt::println!("fault = {}", fault);
-    }
-    board::exit(measured.is_ok())
-}
-
-#[panic_handler]
-fn panicked(_: &core::panic::PanicInfo) -> ! {
-    defmt::println!("fault = panic");
-    board::exit(false)
-}
+schuler_firmware::measuring!(measure);
 
 /// A MEMS unit whose biases walk.
 fn states() -> States<f32> {

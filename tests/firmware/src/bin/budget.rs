@@ -20,7 +20,7 @@ use schuler::flight::configuration::Precision;
 use schuler::strapdown::reference::textbook::{LocalLevelTextbook, Textbook};
 use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler::trajectory::Trajectory as _;
-use schuler_firmware::board::{self, Counter, entry, stack::Painted};
+use schuler_firmware::board::{self, Counter, stack::Painted};
 use schuler_firmware::fault::Fault;
 use schuler_firmware::navigation::planned;
 use schuler_firmware::paper::{self, Course, RATE_HZ, SEED};
@@ -39,20 +39,7 @@ const BLOCKS: usize = if cfg!(target_abi = "eabihf") { 10_000 } else { 1000 };
 /// Times that each is flown, to see a fraction of a count.
 const REPEATS: u32 = 8;
 
-#[entry]
-fn main() -> ! {
-    let measured = measure();
-    if let Err(fault) = &measured {
-        defmt::println!("fault = {}", fault);
-    }
-    board::exit(measured.is_ok())
-}
-
-#[panic_handler]
-fn panicked(_: &core::panic::PanicInfo) -> ! {
-    defmt::println!("fault = panic");
-    board::exit(false)
-}
+schuler_firmware::measuring!(measure);
 
 #[inline(never)]
 fn measure() -> Result<(), Fault> {

@@ -3,9 +3,12 @@
 use super::output::Output;
 use schuler_host::audit::chain::Chain;
 use schuler_host::audit::golden;
-use schuler_simulator::input::InputError;
+use schuler_simulator::input::{Complaint, InputError, read_text};
 use std::collections::HashMap;
 use std::path::Path;
+
+/// Digests without rows, as the audit program prints them: those of aided flights.
+const LINES: &str = "aided.txt";
 
 /// The digests of a folder of chains.
 #[derive(Clone, Debug, Default)]
@@ -15,7 +18,7 @@ pub struct Golden {
 }
 
 impl Golden {
-    /// Of a folder; empty where there is none.
+    /// Of a folder, with the lines of its `aided.txt`; empty where there is none.
     pub fn read(folder: &Path) -> Result<Self, InputError> {
         let mut digests = HashMap::new();
         let chains = if folder.is_dir() { golden::list(folder)? } else { Vec::new() };
@@ -27,6 +30,16 @@ impl Golden {
                     let place = (flight.clone(), stage.name.clone(), sample);
                     digests.insert(place, format!("{digest:016x}"));
                 }
+            }
+        }
+        let lines = folder.join(LINES);
+        if lines.is_file() {
+            let file = lines.display().to_string();
+            let output = Output::parse(read_text(&file)?)
+                .map_err(|what| InputError::file(&file, Complaint::new(what, "digests")))?;
+            for line in output.lines() {
+                let place = [line.flight, line.stage, line.sample].map(str::to_owned);
+                digests.insert(place.into(), line.digest.to_owned());
             }
         }
         Ok(Self { digests })

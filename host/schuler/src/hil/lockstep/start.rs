@@ -11,13 +11,29 @@ impl Lockstep {
     /// Starts the target.
     pub(super) fn begin(&mut self) -> Result<Reply, Parted> {
         for _ in 0..MOST_REBOOTS {
-            match self.conversation.insist(&Request::Start(self.beginning.start()), 0)? {
-                Outcome::Answered(reply) => return Ok(reply),
-                Outcome::Silence => return Err(Parted::Silence("its start")),
-                Outcome::Rebooted => {}
+            if let Some(reply) = self.try_to_begin()? {
+                return Ok(reply);
             }
         }
         Err(Parted::Reboots)
+    }
+
+    /// A start, and the settings of the filter if there is one; `None` where the target was rebooted meanwhile.
+    fn try_to_begin(&mut self) -> Result<Option<Reply>, Parted> {
+        let start = Request::Start(self.beginning.start());
+        let settings = self.beginning.settings().map(|settings| Request::Aid(Bytes(settings)));
+        let mut last = None;
+        for request in [Some(start), settings].into_iter().flatten() {
+            match self.conversation.insist(&request, 0)? {
+                Outcome::Answered(Reply::Standing(standing)) => {
+                    last = Some(Reply::Standing(standing));
+                }
+                Outcome::Answered(other) => return Ok(Some(other)),
+                Outcome::Silence => return Err(Parted::Silence("its start")),
+                Outcome::Rebooted => return Ok(None),
+            }
+        }
+        Ok(last)
     }
 
     /// Starts a target that has forgotten everything from its twin's state.
@@ -25,11 +41,10 @@ impl Lockstep {
         let words = self.twin.words();
         let all = (words.len() / 8) as u16;
         'again: for _ in 0..MOST_REBOOTS {
-            match self.conversation.insist(&Request::Start(self.beginning.start()), 0)? {
-                Outcome::Answered(Reply::Standing(_)) => {}
-                Outcome::Answered(_) => return Err(Parted::Answer("its start")),
-                Outcome::Silence => return Err(Parted::Silence("its start")),
-                Outcome::Rebooted => continue,
+            match self.try_to_begin()? {
+                Some(Reply::Standing(_)) => {}
+                Some(_) => return Err(Parted::Answer("its start")),
+                None => continue,
             }
             for (n, piece) in words.chunks(8 * MOST_WORDS).enumerate() {
                 let offset = (n * MOST_WORDS) as u16;

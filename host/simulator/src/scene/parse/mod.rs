@@ -32,7 +32,7 @@ pub fn scene(file: &str, text: &str) -> Result<Scene, InputError> {
     let trajectory = trajectory::read(&root, file)?;
     let duration_s = duration_s(&root, &trajectory)?;
     let rate_hz = root.number("rate_hz", &limits::RATE_HZ)?;
-    let [gyro, accelerometer] = sensors::both(&root, rate_hz, duration_s)?;
+    let [gyro, accelerometer] = sensors::both(&root, Some(rate_hz), duration_s)?;
     let scene = Scene {
         title: title.unwrap_or(&name).to_owned(),
         name,
@@ -62,7 +62,9 @@ pub fn sensors(file: &str, text: &str) -> Result<Scene, InputError> {
     let root = document.root(&keys::ROOT.names())?;
     let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let duration_s = root.read(&keys::DURATION)?.unwrap_or(LENGTH_S);
-    let [gyro, accelerometer] = sensors::both(&root, duration_s)?;
+    let rate_hz = root.get("rate_hz").map(|_| root.number("rate_hz", &limits::RATE_HZ));
+    let rate_hz = rate_hz.transpose()?;
+    let [gyro, accelerometer] = sensors::both(&root, rate_hz, duration_s)?;
     Ok(Scene {
         title: name.clone(),
         name,

@@ -14,7 +14,7 @@ const RMS: Range = Range::NOT_NEGATIVE;
 /// The `[gyro]` table, rad, rad/s, and the `[accelerometer]` table, m/s, m/s².
 pub fn both(
     root: &Section<'_>,
-    rate_hz: f64,
+    rate_hz: Option<f64>,
     duration_s: f64,
 ) -> Result<[SensorErrors; 2], InputError> {
     let units = [("rms_deg_h", DEGREE_PER_HOUR), ("rms_ug", MICRO_G)];
@@ -56,7 +56,7 @@ fn sensor(
     root: &Section<'_>,
     triad: usize,
     key_of: fn(&Term) -> Option<Key>,
-    rate_hz: f64,
+    rate_hz: Option<f64>,
     (rms, rms_unit): (&str, f64),
 ) -> Result<SensorErrors, InputError> {
     let mut errors = SensorErrors::default();
@@ -77,7 +77,7 @@ fn sensor(
         }
     }
     // What is assumed of them is said in the reference of keys.
-    datasheet::read(&section, triad, Some(1.0 / rate_hz), &mut errors)?;
+    datasheet::read(&section, triad, rate_hz.map(|hz| 1.0 / hz), &mut errors)?;
     if let Some(process) = section.section("gauss_markov", &[rms, "correlation_s"])? {
         let time = Range { accepted: "seconds, above 0", ..Range::POSITIVE };
         let rms = process.require(rms, RMS.accepted)?.axes(&RMS)?.map(|x| x * rms_unit);

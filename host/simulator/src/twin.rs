@@ -3,13 +3,15 @@
 //! | file | what it has |
 //! |---|---|
 //! | [`application`] | the target's application on this machine |
-//! | `side` | what the twins of all kinds do, and which one it is |
+//! | `side` | what the twins of all kinds do |
+//! | `chosen` | the one that a beginning asks for |
 //! | `plain` | navigation by inertia alone |
 //! | `aided` | navigation that measurements aid |
 //! | `unit` | a unit that stands still, and identifies itself |
 
 mod aided;
 pub mod application;
+mod chosen;
 mod plain;
 mod side;
 mod unit;
@@ -146,7 +148,7 @@ pub struct Twin {
 impl Twin {
     /// At the start.
     pub fn start(beginning: &Beginning) -> Result<Self, Refusal> {
-        Ok(Self { side: side::start(beginning)?, carried: Carried::default() })
+        Ok(Self { side: chosen::start(beginning)?, carried: Carried::default() })
     }
 
     /// The next sample in the navigator's digits, as it crosses the line: what rounding drops is added to

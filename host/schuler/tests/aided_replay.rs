@@ -401,11 +401,11 @@ fn a_smoothed_replay_is_what_the_smoothed_run_is() {
     let folder = folder.path();
     let scene = schuler(folder, "scenes aided-drive") + "\n[filter]\nsmoother = true\n";
     fs::write(folder.join("smooth.toml"), scene).unwrap();
-    let run = schuler(folder, "run smooth.toml --no-report --out run");
-    let line = run.lines().find(|line| line.starts_with("smoothed, ")).unwrap();
-    let numbers: Vec<f64> =
-        line.split([' ', ',', ';']).filter_map(|word| word.parse().ok()).collect();
-    let [states, from_s, to_s, off_m, filtered_m, sigma_m, most_m, nees, _] = numbers[..] else {
+    let run = crate::on_one_line(&schuler(folder, "run smooth.toml --no-report --out run"));
+    let line = &run[run.find("smoothed, ").unwrap()..];
+    let numbers = line.split([' ', ',', ';']).filter_map(|word| word.parse::<f64>().ok());
+    let numbers: Vec<f64> = numbers.take(8).collect();
+    let [states, from_s, to_s, off_m, filtered_m, sigma_m, most_m, nees] = numbers[..] else {
         panic!("{line}")
     };
     assert!(states >= 5000.0 && from_s < 0.2 && to_s > 599.9, "{line}");

@@ -264,7 +264,7 @@ fn a_port_is_compared_in_what_it_has() {
     let (file, out) = (file.to_str().unwrap(), folder.path().to_str().unwrap());
     let output = schuler(&["compare", golden, file, "--out", out]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let found = printed(&output);
+    let found = crate::on_one_line(&printed(&output));
     for words in [
         "the same bits in 16 rows and 0 digests",
         "stage nav ends at 64 of 1200",

@@ -25,9 +25,9 @@ fn a_port_keeps_its_limits_or_not() {
         (vec!["--within", "1", "--ulps", "velocity=2"], 1, "BEYOND in 1 of"),
     ] {
         let output = schuler(&[vec!["compare", golden, mine], limits].concat());
-        let text = printed(&output);
+        let text = crate::on_one_line(&printed(&output));
         assert_eq!(output.status.code(), Some(exit), "{text}");
-        let first = "the heads contradict each other: seed is 1 in the one, 2 in the other\n";
+        let first = "the heads contradict each other: seed is 1 in the one, 2 in the other ";
         assert!(text.starts_with(first) && text.contains(said), "{text}");
     }
     let json = std::fs::read_to_string(folder.path().join("audit.json")).unwrap();

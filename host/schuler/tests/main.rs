@@ -44,3 +44,8 @@ mod stress;
 mod summaries;
 mod terminal;
 mod trajectory;
+
+/// A text without the ends of its lines, which depend on the terminal's width.
+fn on_one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}

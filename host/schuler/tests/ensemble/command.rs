@@ -212,7 +212,7 @@ fn what_theory_does_not_know_is_not_comparable() {
         );
         fs::write(folder.path().join("poor.toml"), scene).unwrap();
         let done = ensemble(folder.path(), "poor.toml --runs 8");
-        let text = String::from_utf8_lossy(&done.stdout);
+        let text = crate::on_one_line(&String::from_utf8_lossy(&done.stdout));
         assert_eq!(done.status.code(), Some(0), "{text}");
         assert!(text.contains("not comparable") && text.contains(words), "{text}");
     }

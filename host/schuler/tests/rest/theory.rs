@@ -30,7 +30,8 @@ fn theory_ends_where_its_model_does() {
         ("[accelerometer]\nquantization_m_s = 2\n", "accelerometer steps of 2.000 m/s are coarse"),
     ] {
         let (out, is_null) = run(errors);
-        assert!(out.contains("Theory: not comparable") && out.contains(words), "{errors}: {out}");
+        let text = crate::on_one_line(&out);
+        assert!(text.contains("Theory: not comparable") && text.contains(words), "{errors}: {out}");
         assert!(is_null, "{errors}");
         let last = out.lines().find(|line| line.trim_start().starts_with("60.00")).unwrap();
         assert!(!last.contains('±'), "{last}");

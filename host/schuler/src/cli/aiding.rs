@@ -33,7 +33,7 @@ pub struct AidingOptions {
     /// RTKLIB's time tags of the stream (.tag), which tie its stamps to GPS time
     #[arg(long, value_name = "FILE", requires = "gnss")]
     pub time_tag: Option<PathBuf>,
-    /// A scene whose [gyro], [accelerometer] and [filter] say what the sensors are like [default: a MEMS unit, whose
+    /// A scene whose gyro, accelerometer and filter sections say what the sensors are like [default: a MEMS unit, whose
     /// numbers are printed]
     #[arg(long, value_name = "SCENE", requires = "gnss", value_parser = options::name())]
     pub sensors: Option<String>,

@@ -6,7 +6,7 @@
 //! | [`columns`], [`told`] | the same as a file |
 //! | [`fixes`] | what receivers wrote, on the time of a recording |
 //! | [`settings`] | the filter for a scene |
-//! | [`unit`] | what is known of a recording's sensors |
+//! | [`unit`](mod@unit) | what is known of a recording's sensors |
 //! | [`navigator`] | the core's aided navigators behind one interface |
 //! | [`seen`], [`smoother`] | its verdicts and steps, and what all measurements together say of them |
 //! | [`vehicle`] | one run's navigator with its measurements |

@@ -14,16 +14,14 @@
 //! ```
 #![doc = include_str!("WINDOWS.md")]
 
-use super::alike;
-use super::behind;
 use super::body::{BodyMotion, Sum, integrate};
-use super::fit::LINE_LAST_SAMPLES;
-use super::fit::{Fit, MOST_SAMPLES, table_f32, table_f64};
+use super::fit::{Fit, LINE_LAST_SAMPLES, MOST_SAMPLES, table_f32, table_f64};
 use super::inside::BlockSeries;
 use super::least_squares::least_squares;
 use super::newton::Used;
 use super::series::Series;
 use super::shape::WindowShape;
+use super::{alike, behind};
 use crate::math::real::Real;
 use crate::sample::Increment;
 use crate::strapdown::block::intervals::{Intervals, Kept, Nominal};
@@ -300,17 +298,3 @@ windows! { $
     /// A parabola over forty samples: the cheapest.
     Parabola40 = 0, 40, 0, near 3, 6,;
 }
-
-/// Samples that there is room for in any window.
-pub const MOST_STORED: usize = {
-    macro_rules! most {
-        ($($window:ident),+) => {{
-            let mut most = 0;
-            $(if $window::STORED > most {
-                most = $window::STORED;
-            })+
-            most
-        }};
-    }
-    every_window! { most! }
-};

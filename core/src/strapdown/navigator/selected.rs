@@ -41,13 +41,27 @@ use crate::strapdown::block::any_window::AnyWindow;
 use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::block::intervals::{Intervals as _, Kept};
 use crate::strapdown::block::newton::Edges;
-use crate::strapdown::block::window::MOST_STORED;
+use crate::strapdown::block::window::*;
 use crate::strapdown::correction::{Correction, CorrectionError};
 use crate::strapdown::frame::Frame;
 use crate::strapdown::gate::{Gate, admit_held, admit_start};
 use crate::strapdown::limits::{Limits, Rejected, StartError};
 use crate::strapdown::mechanization::{Mechanization, UnequalIntervals};
 use crate::strapdown::plausible::Damaged;
+
+/// Samples that there is room for: those of the largest window.
+const MOST_STORED: usize = {
+    macro_rules! most {
+        ($($window:ident),+) => {{
+            let mut most = 0;
+            $(if $window::STORED > most {
+                most = $window::STORED;
+            })+
+            most
+        }};
+    }
+    every_window! { most! }
+};
 
 /// Configuration of a navigator in frame `F` with any window.
 #[derive(Clone, Copy, Debug)]

@@ -24,6 +24,7 @@ mod record;
 mod rejects;
 mod responses;
 mod restored;
+mod selected;
 mod starts;
 mod stream;
 mod unequal;

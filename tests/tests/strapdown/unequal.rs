@@ -9,7 +9,6 @@ use schuler::output::Output as _;
 use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
-use schuler::strapdown::block::any_window::AnyWindow;
 use schuler::strapdown::block::unequal::Unequal;
 use schuler::strapdown::block::window::{H0B4A0, H2B4A2, H4B4A0, H4B4A4, Line8, Window};
 use schuler::strapdown::frame::Frame;
@@ -19,7 +18,6 @@ use schuler::strapdown::limits::Rejected;
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::mechanization::UnequalIntervals;
 use schuler::strapdown::navigator::Strapdown;
-use schuler::strapdown::navigator::selected::Selected;
 use schuler::strapdown::reference::textbook::{EarthFixedTextbook, LocalLevelTextbook, Textbook};
 use schuler::trajectory::Trajectory as _;
 use schuler_simulator::source::Source;
@@ -30,9 +28,9 @@ type Local = LocalLevel<Pair<f64>>;
 type Earth = EarthFixed<Pair<f64>>;
 
 /// A motion sampled at intervals of its own.
-struct Uneven {
+pub struct Uneven {
     source: Source,
-    interval_s: Pair<f64>,
+    pub interval_s: Pair<f64>,
     /// Ends of the samples, after the start.
     times_s: Vec<f64>,
     samples: Vec<Increment<f64>>,
@@ -40,7 +38,7 @@ struct Uneven {
 
 impl Uneven {
     /// `interval` gives a sample's length in nominal ones, from the time it begins at and its number.
-    fn new(source: Source, seconds: f64, mut interval: impl FnMut(f64, usize) -> f64) -> Self {
+    pub fn new(source: Source, seconds: f64, mut interval: impl FnMut(f64, usize) -> f64) -> Self {
         let quadrature = Quadrature::plan(source.course.bound().bandwidth, 0.1).finest();
         let (mut times_s, mut samples) = (vec![0.0], Vec::new());
         let mut now = 0.0;
@@ -66,12 +64,12 @@ impl Uneven {
         Self::new(Course::new("manoeuvre", 1.0, 0.1).source, seconds, interval)
     }
 
-    fn initial<R: Scalar>(&self) -> Solution<R> {
+    pub fn initial<R: Scalar>(&self) -> Solution<R> {
         Solution::narrow(&self.source.initial(0))
     }
 
     /// Each sample with its interval.
-    fn stream<R: Scalar>(&self) -> impl Iterator<Item = (Increment<R>, Pair<R>)> {
+    pub fn stream<R: Scalar>(&self) -> impl Iterator<Item = (Increment<R>, Pair<R>)> {
         let mut carried = Carried::default();
         let intervals = self.times_s.windows(2).map(|edge| Pair::new(edge[1] - edge[0]));
         let narrow = move |(sample, interval)| (carried.narrow(sample), Pair::narrow(interval));
@@ -100,13 +98,13 @@ impl Uneven {
     }
 }
 
-fn jitter(share: f64) -> impl FnMut(f64, usize) -> f64 {
+pub fn jitter(share: f64) -> impl FnMut(f64, usize) -> f64 {
     let mut numbers = Numbers(12);
     move |_, _| 1.0 + numbers.within(share)
 }
 
 /// Runs of `push` and of `push_over` by turns, against `push` of the plain window.
-fn same_bits<P, U>(course: &Course, plain: &P, unequal: &U, interval_s: Pair<f64>, name: &str)
+pub fn same_bits<P, U>(course: &Course, plain: &P, unequal: &U, interval_s: Pair<f64>, name: &str)
 where
     P: Mechanization<Real = f64, Frame: Record>,
     U: UnequalIntervals<Real = f64, Frame = P::Frame>,
@@ -144,8 +142,6 @@ fn constant<F: Frame<Real = f64> + Record, W: Window>() {
     let plain = Strapdown::<F, W>::new(interval_s).unwrap();
     let unequal = Strapdown::<F, Unequal<W>>::new(interval_s).unwrap();
     same_bits(&course, &plain, &unequal, interval_s, &format!("{:?}", W::SHAPE));
-    let selected = Selected::<F>::new(interval_s, AnyWindow::of::<W>()).unwrap();
-    same_bits(&course, &plain, &selected, interval_s, &format!("selected {:?}", W::SHAPE));
 }
 
 #[test]
@@ -159,39 +155,6 @@ fn at_the_nominal_interval_nothing_changes() {
     same_bits(&course, &local, &local, interval_s, "local-level textbook");
     let earth = Textbook::<EarthFixedTextbook<f64>>::new(0.01).unwrap();
     same_bits(&course, &earth, &earth, interval_s, "earth-fixed textbook");
-}
-
-/// The bits after every sample, and at the end.
-fn uneven_bits<M>(flight: &Uneven, mechanization: &M) -> Vec<Vec<u64>>
-where
-    M: UnequalIntervals<Real = f64, Frame: Record>,
-{
-    let mut state = mechanization.start(&flight.initial()).unwrap();
-    let mut after = Vec::new();
-    for (sample, interval_s) in flight.stream() {
-        mechanization.push_over(&mut state, sample, interval_s).unwrap();
-        after.push(bits(M::frame(&state)));
-    }
-    mechanization.finish(&mut state);
-    after.push(bits(M::frame(&state)));
-    mechanization.check(&state).unwrap();
-    after
-}
-
-fn selected<F: Frame<Real = f64> + Record, W: Window>() {
-    // Even, then off by up to a fifth.
-    let mut jitter = jitter(0.2);
-    let interval = |time: f64, n| if time < 1.0 { 1.0 } else { jitter(time, n) };
-    let flight = Uneven::new(Course::new("hard", 1.0, 1.0).source, 3.0, interval);
-    let known = Strapdown::<F, Unequal<W>>::new(flight.interval_s).unwrap();
-    let selected = Selected::<F>::new(flight.interval_s, AnyWindow::of::<W>()).unwrap();
-    assert_eq!(uneven_bits(&flight, &selected), uneven_bits(&flight, &known), "{:?}", W::SHAPE);
-}
-
-#[test]
-fn a_window_chosen_at_run_time_has_the_bits_of_one_that_is_known() {
-    for_every_window!(selected, Local);
-    for_every_window!(selected, Earth);
 }
 
 /// At rest, whatever the intervals: 100 → 120 Hz, a slow wander, jitter.

@@ -30,6 +30,7 @@
 //! ```
 
 use super::check::check;
+use super::correct;
 use super::rows::{Blocks, Every, Read, Unread};
 use super::stream::{Progress, Room, Timing};
 use crate::math::compensated::Pair;
@@ -212,12 +213,7 @@ impl<R: Real, F: Frame<Real = R>> Mechanization for Selected<F> {
         state: &mut SelectedState<F>,
         correction: &Correction<R>,
     ) -> Result<(), CorrectionError> {
-        correction.apply(&mut state.frame, F::correct)?;
-        if correction.moves() {
-            state.progress.seeded = 0;
-            state.intervals.forget_history();
-        }
-        Ok(())
+        correct::apply(correction, &mut state.frame, &mut state.progress, &mut state.intervals)
     }
     fn check(&self, state: &SelectedState<F>) -> Result<(), Damaged> {
         check(&state.frame, &state.samples, &state.progress, &self.gate, self.window.numbers())

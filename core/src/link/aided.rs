@@ -29,7 +29,8 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 
-use super::flight::{Taken, missing};
+use super::count::Count;
+use super::flight::Taken;
 use super::gap::{Bridge, Policy};
 use super::refusal::Refusal;
 use crate::aiding::aided::fault::AidedFault;
@@ -64,13 +65,9 @@ pub struct LinkedAided<
     pub(super) stage: Stage<M, N, P, E, L, Q>,
     pub(super) digest: Digest,
     pub(super) bridge: Bridge<M::Real>,
-    /// Number of the last sample, and of the last 32 a bit each: whether it came.
-    pub(super) taken: u32,
-    pub(super) came: u32,
+    pub(super) count: Count,
     /// Number of the last measurement.
     pub(super) measured: u32,
-    /// 1 after the end of the stream.
-    pub(super) finished: u32,
 }
 
 /// Before its settings, and after them. Nothing is on a heap.
@@ -115,10 +112,8 @@ where
             stage: Stage::Waiting { mechanization, interval_s, initial, state },
             digest: Digest::default(),
             bridge: Bridge::new(gap),
-            taken: 0,
-            came: 0,
+            count: Count::default(),
             measured: 0,
-            finished: 0,
         })
     }
 
@@ -138,9 +133,7 @@ where
         if number <= self.measured {
             return Ok(Taken::Again);
         }
-        if self.finished != 0 {
-            return Err(Refusal::Finished);
-        }
+        self.count.goes_on()?;
         let Stage::Flying { aided, state } = &mut self.stage else {
             return Err(Refusal::Unaided);
         };
@@ -159,16 +152,9 @@ where
         sample: Increment<R>,
         witness: &mut impl Witness<R, N, P, E>,
     ) -> Result<Taken, Refusal> {
-        if number <= self.taken {
-            return Ok(Taken::Again);
-        }
-        if self.finished != 0 {
-            return Err(Refusal::Finished);
-        }
-        let missing = missing(self.taken, number.saturating_sub(1))?;
+        let Some(missing) = self.count.before(number)? else { return Ok(Taken::Again) };
         self.fly(missing, Some(sample), witness)?;
-        self.taken = number;
-        self.came = self.came.unbounded_shl(missing) << 1 | 1;
+        self.count.take(number, missing);
         Ok(Taken::Flown)
     }
 
@@ -178,22 +164,14 @@ where
         samples: u32,
         witness: &mut impl Witness<R, N, P, E>,
     ) -> Result<Taken, Refusal> {
-        if self.finished != 0 {
-            return Ok(Taken::Again);
-        }
-        if samples < self.taken {
-            return Err(Refusal::Count);
-        }
-        let missing = missing(self.taken, samples)?;
+        let Some(missing) = self.count.before_end(samples)? else { return Ok(Taken::Again) };
         self.fly(missing, None, witness)?;
         if let Stage::Flying { aided, state } = &mut self.stage {
             aided.finish(state, witness);
             self.digest.add(M::frame(state.navigator()));
             self.digest.add(state.filter());
         }
-        self.taken = samples;
-        self.came = self.came.unbounded_shl(missing);
-        self.finished = 1;
+        self.count.end(samples, missing);
         Ok(Taken::Flown)
     }
 
@@ -268,12 +246,12 @@ where
 
     /// Number of the last sample taken, or filled in.
     pub fn taken(&self) -> u32 {
-        self.taken
+        self.count.taken()
     }
 
     /// Of the last 32 samples a bit each, the newest lowest: whether it came.
     pub fn came(&self) -> u32 {
-        self.came
+        self.count.came()
     }
 
     /// Samples that lie behind the solution.

@@ -84,9 +84,7 @@ where
     }
 
     fn write(&self, to: &mut Writer) {
-        to.u32(self.taken);
-        to.u32(self.came);
-        to.u64(self.integrated());
+        self.count.write(self.integrated(), to);
         to.u64(self.digest());
         self.output().record("", &mut |_, bits| to.bits::<R>(bits));
     }
@@ -102,11 +100,11 @@ where
     fn check(&self) -> Result<(), Refusal> {
         let Stage::Flying { aided, state } = &self.stage else { return Err(Refusal::Damaged) };
         aided.check(state)?;
-        let waiting = u64::from(self.taken).checked_sub(self.integrated());
+        let waiting = u64::from(self.count.taken()).checked_sub(self.integrated());
         let sound = waiting.is_some_and(|samples| samples <= MOST_WAITING)
             && self.digest.is_plausible()
-            && self.bridge.is_plausible(self.taken, MOST_BRIDGED)
-            && self.finished <= 1;
+            && self.bridge.is_plausible(self.count.taken(), MOST_BRIDGED)
+            && self.count.is_plausible();
         if sound { Ok(()) } else { Err(Refusal::Damaged) }
     }
 
@@ -140,10 +138,8 @@ where
         state.record("state", read);
         self.digest.record("digest", read);
         self.bridge.record("bridge", read);
-        self.taken.record("taken", read);
-        self.came.record("came", read);
+        self.count.record("count", read);
         self.measured.record("measured", read);
-        self.finished.record("finished", read);
     }
 
     fn restore(&mut self, _: &'static str, write: &mut impl FnMut(&'static str, u64) -> u64) {
@@ -151,10 +147,8 @@ where
         state.restore("state", write);
         self.digest.restore("digest", write);
         self.bridge.restore("bridge", write);
-        self.taken.restore("taken", write);
-        self.came.restore("came", write);
+        self.count.restore("count", write);
         self.measured.restore("measured", write);
-        self.finished.restore("finished", write);
     }
 }
 

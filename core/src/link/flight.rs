@@ -20,6 +20,7 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 
+use super::count::Count;
 use super::frame::Writer;
 use super::gap::{Bridge, MOST_BRIDGED, Policy};
 use super::message::Start;
@@ -41,11 +42,7 @@ pub(super) const MOST_WAITING: u64 = 64;
 pub struct LinkedFlight<M: Entry> {
     flight: Flight<M>,
     bridge: Bridge<M::Real>,
-    /// Number of the last sample, and of the last 32 a bit each: whether it came.
-    taken: u32,
-    came: u32,
-    /// 1 after the end of the stream.
-    finished: u32,
+    count: Count,
 }
 
 /// What became of a sample that was not refused.
@@ -58,12 +55,6 @@ pub enum Taken {
     Again,
 }
 
-/// How many samples are missing after the last one taken, up to a number.
-pub(super) fn missing(taken: u32, number: u32) -> Result<u32, Refusal> {
-    let missing = number.saturating_sub(taken);
-    if missing > MOST_BRIDGED { Err(Refusal::Gap) } else { Ok(missing) }
-}
-
 impl<M: Entry> LinkedFlight<M> {
     /// As a host asks for it.
     pub fn start(start: &Start) -> Result<Self, Refusal> {
@@ -74,7 +65,7 @@ impl<M: Entry> LinkedFlight<M> {
     /// From an initial solution.
     pub fn new(mechanization: M, initial: Solution<M::Real>, gap: Policy) -> Result<Self, Refusal> {
         let flight = Flight::new(mechanization, &initial)?;
-        Ok(Self { flight, bridge: Bridge::new(gap), taken: 0, came: 0, finished: 0 })
+        Ok(Self { flight, bridge: Bridge::new(gap), count: Count::default() })
     }
 
     /// Takes the sample of a number, from 1; `push` is [`Mechanization::push`] or one that reads rows.
@@ -88,21 +79,14 @@ impl<M: Entry> LinkedFlight<M> {
         sample: Increment<M::Real>,
         push: impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), Rejected>,
     ) -> Result<Taken, Refusal> {
-        if number <= self.taken {
-            return Ok(Taken::Again);
-        }
-        if self.finished != 0 {
-            return Err(Refusal::Finished);
-        }
-        let missing = missing(self.taken, number.saturating_sub(1))?;
+        let Some(missing) = self.count.before(number)? else { return Ok(Taken::Again) };
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, Some(sample), push);
         if flown.is_err() {
             (self.flight, self.bridge) = before;
             return flown.map(|()| Taken::Flown);
         }
-        self.taken = number;
-        self.came = self.came.unbounded_shl(missing) << 1 | 1;
+        self.count.take(number, missing);
         Ok(Taken::Flown)
     }
 
@@ -114,24 +98,15 @@ impl<M: Entry> LinkedFlight<M> {
         push: impl FnMut(&M, &mut M::State, Increment<M::Real>) -> Result<(), Rejected>,
         finish: impl FnOnce(&M, &mut M::State),
     ) -> Result<Taken, Refusal> {
-        if self.finished != 0 {
-            return Ok(Taken::Again);
-        }
-        if samples < self.taken {
-            return Err(Refusal::Count);
-        }
-        let missing = missing(self.taken, samples)?;
+        let Some(missing) = self.count.before_end(samples)? else { return Ok(Taken::Again) };
         let before = (self.flight, self.bridge);
         let flown = self.fly(missing, None, push);
         if flown.is_err() {
             (self.flight, self.bridge) = before;
             return flown.map(|()| Taken::Flown);
         }
-        // Samples that were missing are numbered as if they had been there.
-        self.taken = samples;
-        self.came = self.came.unbounded_shl(missing);
         self.flight.finish_by(finish);
-        self.finished = 1;
+        self.count.end(samples, missing);
         Ok(Taken::Flown)
     }
 
@@ -163,21 +138,21 @@ impl<M: Entry> LinkedFlight<M> {
     /// Whether what was written back over it can be a flight's state: before anything else is done with it.
     pub fn check(&self) -> Result<(), Damaged> {
         self.flight.check()?;
-        let waiting = u64::from(self.taken).checked_sub(self.integrated());
+        let waiting = u64::from(self.taken()).checked_sub(self.integrated());
         let sound = waiting.is_some_and(|samples| samples <= MOST_WAITING)
-            && self.bridge.is_plausible(self.taken, MOST_BRIDGED)
-            && self.finished <= 1;
+            && self.bridge.is_plausible(self.taken(), MOST_BRIDGED)
+            && self.count.is_plausible();
         if sound { Ok(()) } else { Err(Damaged) }
     }
 
     /// Number of the last sample taken, or filled in.
     pub fn taken(&self) -> u32 {
-        self.taken
+        self.count.taken()
     }
 
     /// Of the last 32 samples a bit each, the newest lowest: whether it came.
     pub fn came(&self) -> u32 {
-        self.came
+        self.count.came()
     }
 
     /// Samples filled in.
@@ -202,9 +177,7 @@ impl<M: Entry> LinkedFlight<M> {
 
     /// Writes where it stands, as [`Standing`](super::message::Standing).
     pub fn write(&self, to: &mut Writer) {
-        to.u32(self.taken);
-        to.u32(self.came);
-        to.u64(self.integrated());
+        self.count.write(self.integrated(), to);
         to.u64(self.digest());
         self.output().record("", &mut |_, bits| to.bits::<M::Real>(bits));
     }
@@ -212,5 +185,5 @@ impl<M: Entry> LinkedFlight<M> {
 
 /// The whole state, without the configuration and the policy.
 impl<M: Entry> Record for LinkedFlight<M> {
-    record!(flight; bridge, taken, came, finished);
+    record!(flight; bridge, count);
 }

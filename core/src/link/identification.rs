@@ -20,6 +20,7 @@
 //! ```
 
 use super::bytes::Bytes;
+use super::count::Count;
 use super::fleet::{Fleet, Visitor};
 use super::flight::Taken;
 use super::frame::Writer;
@@ -38,14 +39,13 @@ pub struct Identification<R: Sums> {
     axes: [Octaves<R>; 6],
     /// Of every sample.
     digest: Digest,
-    taken: u32,
-    finished: u32,
+    count: Count,
 }
 
 #[cfg(feature = "defmt")]
 impl<R: Sums> defmt::Format for Identification<R> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "Identification {{ taken: {} }}", self.taken);
+        defmt::write!(f, "Identification {{ count: {} }}", self.count);
     }
 }
 
@@ -67,7 +67,7 @@ impl<R: Sums + Record> Identification<R> {
     /// For samples of an interval, s.
     pub fn new(interval_s: R) -> Result<Self, Refused> {
         let axis = Octaves::new(interval_s)?;
-        Ok(Self { axes: [axis; 6], digest: Digest::default(), taken: 0, finished: 0 })
+        Ok(Self { axes: [axis; 6], digest: Digest::default(), count: Count::default() })
     }
 
     /// Gyros x, y, z, then accelerometers.
@@ -77,7 +77,7 @@ impl<R: Sums + Record> Identification<R> {
 
     /// Of the last 32 samples a bit each: none of them is missing.
     pub fn came(&self) -> u32 {
-        u32::MAX.checked_shr(32_u32.saturating_sub(self.taken)).unwrap_or(0)
+        self.count.came()
     }
 
     /// Digest of every sample so far.
@@ -87,14 +87,10 @@ impl<R: Sums + Record> Identification<R> {
 
     /// Takes the sample of a number, from 1. None may be missing: what is filled in would look like a sensor.
     pub fn take(&mut self, number: u32, sample: &Increment<R>) -> Result<Taken, Refusal> {
-        if number <= self.taken {
-            return Ok(Taken::Again);
-        }
-        if self.finished != 0 {
-            return Err(Refusal::Finished);
-        }
-        if number != self.taken + 1 {
-            return Err(Refusal::Gap);
+        match self.count.before(number)? {
+            None => return Ok(Taken::Again),
+            Some(0) => {}
+            Some(_) => return Err(Refusal::Gap),
         }
         let (angle, velocity) = (sample.angle_b.into_array(), sample.velocity_b.into_array());
         let six = || angle.into_iter().chain(velocity);
@@ -105,7 +101,7 @@ impl<R: Sums + Record> Identification<R> {
             axis.add(increment).map_err(|_| Refusal::Malformed)?;
         }
         self.digest.add(sample);
-        self.taken = number;
+        self.count.take(number, 0);
         Ok(Taken::Flown)
     }
 }
@@ -135,18 +131,18 @@ impl<R: Identified> Fleet for Identification<R> {
     }
 
     fn finish(&mut self, samples: u32) -> Result<Taken, Refusal> {
-        if self.finished != 0 {
-            return Ok(Taken::Again);
+        match self.count.before_end(samples) {
+            Ok(None) => Ok(Taken::Again),
+            Ok(Some(0)) => {
+                self.count.end(samples, 0);
+                Ok(Taken::Flown)
+            }
+            _ => Err(Refusal::Count),
         }
-        if samples != self.taken {
-            return Err(Refusal::Count);
-        }
-        self.finished = 1;
-        Ok(Taken::Flown)
     }
 
     fn taken(&self) -> u32 {
-        self.taken
+        self.count.taken()
     }
 
     fn bridged(&self) -> u32 {
@@ -154,9 +150,7 @@ impl<R: Identified> Fleet for Identification<R> {
     }
 
     fn write(&self, to: &mut Writer) {
-        to.u32(self.taken);
-        to.u32(self.came());
-        to.u64(self.taken.into());
+        self.count.write(self.count.taken().into(), to);
         to.u64(self.digest());
     }
 
@@ -169,12 +163,13 @@ impl<R: Identified> Fleet for Identification<R> {
     }
 
     fn check(&self) -> Result<(), Refusal> {
-        let counted = |axis: &Octaves<R>| axis.samples() == self.taken.into();
+        let counted = |axis: &Octaves<R>| axis.samples() == self.count.taken().into();
         for axis in &self.axes {
             axis.check()?;
         }
-        let sound =
-            self.axes.iter().all(counted) && self.digest.is_plausible() && self.finished <= 1;
+        let sound = self.axes.iter().all(counted)
+            && self.digest.is_plausible()
+            && self.count.is_plausible();
         if sound { Ok(()) } else { Err(Refusal::Damaged) }
     }
 
@@ -184,5 +179,5 @@ impl<R: Identified> Fleet for Identification<R> {
 }
 
 impl<R: Sums + Record> Record for Identification<R> {
-    record!(axes, digest, taken, finished);
+    record!(axes, digest, count);
 }

@@ -30,6 +30,7 @@ pub mod answer;
 pub mod bytes;
 #[macro_use]
 pub mod compose;
+mod count;
 pub mod counters;
 pub mod decoder;
 pub mod fleet;

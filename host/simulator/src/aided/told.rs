@@ -3,6 +3,7 @@
 use super::columns::{COLUMNS, KINDS, MEASURES, RANGES};
 use super::measurements::Arriving;
 use crate::input::{Complaint, InputError};
+use crate::recording::table;
 use crate::units::DEGREE;
 use schuler::aiding::aided::instant::Instant;
 use schuler::aiding::aided::measured::{Kind, Measured};
@@ -56,14 +57,7 @@ pub fn is_one(text: &str) -> bool {
 
 /// Every row, in the order of the file.
 pub fn read(file: &str, text: &str) -> Result<Vec<Told>, InputError> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut reader = csv::ReaderBuilder::new();
-    let mut reader = reader.trim(csv::Trim::All).flexible(true).from_reader(text.as_bytes());
-    let broken = |error: csv::Error| {
-        let line = error.position().map_or(1, csv::Position::line);
-        InputError::line(file, line, Complaint::new(format!("is no CSV: {error}"), ""))
-    };
-    let header = reader.headers().map_err(broken)?.clone();
+    let (mut reader, header) = table::open(file, text)?;
     let mut places = [None; COLUMNS.len()];
     for (i, name) in header.iter().enumerate() {
         let Some(known) = COLUMNS.iter().position(|column| *column == name) else {
@@ -77,7 +71,7 @@ pub fn read(file: &str, text: &str) -> Result<Vec<Told>, InputError> {
     }
     let mut rows = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(broken)?;
+        let record = record.map_err(|error| table::broken(file, &error))?;
         let line = record.position().map_or(0, csv::Position::line);
         if record.len() != header.len() {
             let what = format!("the row has {} values", record.len());

@@ -31,14 +31,7 @@ pub fn read(file: &str, columns: &[Column]) -> Result<Table, InputError> {
 
 /// The same from a text; `file` names it in errors.
 pub fn parse(file: &str, text: &str, columns: &[Column]) -> Result<Table, InputError> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut reader = csv::ReaderBuilder::new();
-    let mut reader = reader.trim(csv::Trim::All).flexible(true).from_reader(text.as_bytes());
-    let broken = |error: csv::Error| {
-        let line = error.position().map_or(1, csv::Position::line);
-        InputError::line(file, line, Complaint::new(format!("is no CSV: {error}"), ""))
-    };
-    let header = reader.headers().map_err(broken)?.clone();
+    let (mut reader, header) = open(file, text)?;
     let places: Vec<_> =
         columns.iter().map(|column| header.iter().position(|name| name == column.name)).collect();
     if let Some(twice) =
@@ -52,7 +45,7 @@ pub fn parse(file: &str, text: &str, columns: &[Column]) -> Result<Table, InputE
     let mut rows: Vec<Vec<f64>> = Vec::new();
     let mut lines = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(broken)?;
+        let record = record.map_err(|error| broken(file, &error))?;
         let line = record.position().map_or(0, csv::Position::line);
         if record.len() != header.len() {
             let complaint = Complaint::new(
@@ -82,6 +75,24 @@ pub fn parse(file: &str, text: &str, columns: &[Column]) -> Result<Table, InputE
         lines.push(line);
     }
     Ok(Table { is_there: places.iter().map(Option::is_some).collect(), others, rows, lines })
+}
+
+/// A text's rows, and its header, which may begin with a byte order mark.
+pub fn open<'t>(
+    file: &str,
+    text: &'t str,
+) -> Result<(csv::Reader<&'t [u8]>, csv::StringRecord), InputError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut reader = csv::ReaderBuilder::new();
+    let mut reader = reader.trim(csv::Trim::All).flexible(true).from_reader(text.as_bytes());
+    let header = reader.headers().map_err(|error| broken(file, &error))?.clone();
+    Ok((reader, header))
+}
+
+/// A row that is none.
+pub fn broken(file: &str, error: &csv::Error) -> InputError {
+    let line = error.position().map_or(1, csv::Position::line);
+    InputError::line(file, line, Complaint::new(format!("is no CSV: {error}"), ""))
 }
 
 fn number(file: &str, line: u64, column: &Column, field: &str) -> Result<f64, InputError> {

@@ -107,6 +107,11 @@ impl<R: Real> Watch<R> {
         locked
     }
 
+    /// Whether one more refusal completes a lockout.
+    pub fn is_out_of_patience(&self, gate: &Gate<R>) -> bool {
+        self.in_row.saturating_add(1) >= gate.patience
+    }
+
     /// Vectors accepted.
     pub fn accepted(&self) -> u32 {
         self.accepted

@@ -67,7 +67,11 @@ where
         let limit = if believed { R::of(1e30) } else { usual };
         let judged = consider(&mut filter, &path, &expected, measured, limit);
         let fits = judged.nis < usual;
-        let doubted = self.most_likely(&filter, &path, &expected, measured, judged.accepted);
+        let gate = Gate { limit, patience: self.settings.patience };
+        let locks_out =
+            !judged.accepted && state.tally(measured.sensor()).is_out_of_patience(&gate);
+        let doubted = (locks_out && !searching && self.settings.lockout == Lockout::Inflate)
+            .then(|| most_likely(&filter, &path, &expected, measured));
         // What does not fit while the heading is looked for says that the heading is far off.
         let turned = believed
             && !fits
@@ -75,7 +79,6 @@ where
         let accepted = turned
             || judged.accepted
                 && self.feed(state, filter, ahead.as_ref(), &judged, &locality.here, witness);
-        let gate = Gate { limit, patience: self.settings.patience };
         let degrees = measured.degrees();
         let tally = state.tally_mut(measured.sensor());
         let locked_out = if believed && !fits {
@@ -89,7 +92,7 @@ where
         let Measured { at, kind, .. } = *measured;
         let nis = judged.nis;
         witness.judged(&Verdict { at, kind, age_s, nis, limit, accepted, locked_out });
-        if locked_out && !searching {
+        if let Some(doubted) = doubted {
             self.doubt(state, ahead.as_ref(), &doubted, witness);
         }
         if accepted && !turned {
@@ -134,31 +137,6 @@ where
         true
     }
 
-    /// The errors that explain a measurement that was refused: of all that do, those that the filter finds most likely.
-    fn most_likely(
-        &self,
-        filter: &Filter<R, N, P, E>,
-        path: &Path<'_, R, N, E, L>,
-        expected: &Expected<'_, R>,
-        measured: &Measured<R>,
-        accepted: bool,
-    ) -> [R; N] {
-        if accepted || self.settings.lockout == Lockout::Keep {
-            return [R::ZERO; N];
-        }
-        // A measurement that is nearly without noise is explained whole: x = PHᵀ(HPHᵀ)⁻¹y.
-        let surely = |sigma: Vector<R>| sigma * R::of(1e-3);
-        let sure = Measured {
-            position_sigma: surely(measured.position_sigma),
-            velocity_sigma: surely(measured.velocity_sigma),
-            ..*measured
-        };
-        let mut errors = consider(&mut { *filter }, path, expected, &sure, R::of(1e30)).errors;
-        // Lever arm, latency and the like do not leave what they were.
-        errors.iter_mut().skip(FIRST_EXTRA).for_each(|x| *x = R::ZERO);
-        errors
-    }
-
     /// After a lockout: errors that would explain the last measurement become an uncertainty.
     fn doubt(
         &self,
@@ -167,8 +145,7 @@ where
         along: &[R; N],
         witness: &mut impl Witness<R, N, P, E>,
     ) {
-        let sound = along.iter().all(|x| x.is_within(R::of(1e6)));
-        if !sound || self.settings.lockout == Lockout::Keep {
+        if !along.iter().all(|x| x.is_within(R::of(1e6))) {
             return;
         }
         if let Some(ahead) = ahead {
@@ -184,6 +161,29 @@ where
             after: state.filter.covariance(),
         });
     }
+}
+
+/// The errors that explain a measurement that was refused: of all that do, those that the filter finds most likely.
+fn most_likely<R, const N: usize, const P: usize, const E: usize, const L: usize>(
+    filter: &Filter<R, N, P, E>,
+    path: &Path<'_, R, N, E, L>,
+    expected: &Expected<'_, R>,
+    measured: &Measured<R>,
+) -> [R; N]
+where
+    R: Scalar + Real<Mask = bool>,
+{
+    // A measurement that is nearly without noise is explained whole: x = PHᵀ(HPHᵀ)⁻¹y.
+    let surely = |sigma: Vector<R>| sigma * R::of(1e-3);
+    let sure = Measured {
+        position_sigma: surely(measured.position_sigma),
+        velocity_sigma: surely(measured.velocity_sigma),
+        ..*measured
+    };
+    let mut errors = consider(&mut { *filter }, path, expected, &sure, R::of(1e30)).errors;
+    // Lever arm, latency and the like do not leave what they were.
+    errors.iter_mut().skip(FIRST_EXTRA).for_each(|x| *x = R::ZERO);
+    errors
 }
 
 /// Judges a measurement of any kind.

@@ -59,6 +59,11 @@ impl<R: Real> Tally<R> {
         self.aside = self.aside.saturating_add(1);
     }
 
+    /// Whether one more refusal completes a lockout.
+    pub(super) fn is_out_of_patience(&self, gate: &Gate<R>) -> bool {
+        self.watch.is_out_of_patience(gate)
+    }
+
     /// Counts one; the result says whether it completes a lockout.
     pub(super) fn note(&mut self, gate: &Gate<R>, accepted: bool, nis: R, degrees: u32) -> bool {
         if accepted {

@@ -38,7 +38,9 @@ fn tables_fit_80_columns() {
         "emulate paper --duration 20 --out imu.csv --truth truth.csv",
         "replay --imu imu.csv --initial initial.toml --reference truth.csv --out again/",
     ] {
-        let done = schuler(folder, line);
+        let mut command = Command::new(env!("CARGO_BIN_EXE_schuler"));
+        let words = line.split_whitespace();
+        let done = command.current_dir(folder).args(words).env("COLUMNS", "80").output().unwrap();
         assert!(done.status.success(), "{line}: {}", text(&done.stderr));
         // Only a path without a blank may be longer.
         for told in text(&done.stdout).lines().filter(|told| told.trim().contains(' ')) {

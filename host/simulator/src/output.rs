@@ -25,6 +25,7 @@ pub use growing::GrowingFile;
 pub use table::{NumberTable, csv};
 
 use crate::input::{Complaint, InputError};
+use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -33,7 +34,7 @@ pub fn say(text: &str) -> Result<(), InputError> {
     if heard::hears(text) {
         return Ok(());
     }
-    print(&wrap::wrapped(text, wrap::columns()))
+    print(&wrap::columns().map_or(Cow::Borrowed(text), |columns| wrap::wrapped(text, columns)))
 }
 
 /// Prints a document, such as a scene, as it is. Nobody listening any more is the end of the program, not an error.

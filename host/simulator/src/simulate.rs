@@ -62,7 +62,8 @@ impl<'a> Simulation<'a> {
         let vehicle: Box<dyn Vehicle> = match &claims {
             None => Box::new(navigator),
             Some(claims) => {
-                let aided = AidedVehicle::new(scene, &source, run, &initial)?;
+                let smoother = scene.aiding.filter.smoother;
+                let aided = AidedVehicle::new(scene, &source, run, &initial, smoother)?;
                 Box::new(Riding::new(aided, navigator, claims.clone()))
             }
         };

@@ -82,11 +82,14 @@ pub struct Made<'a> {
     pub smoother: bool,
 }
 
-/// Starts the aided navigator of a scene.
-pub fn start(scene: &Scene, initial: &Solution<f64>) -> Result<Box<dyn Aids>, InputError> {
+/// Starts the aided navigator of a scene; with `smoother`, its steps are kept.
+pub fn start(
+    scene: &Scene,
+    initial: &Solution<f64>,
+    smoother: bool,
+) -> Result<Box<dyn Aids>, InputError> {
     let interval = Pair::new(scene.rate_hz).reciprocal();
     let (navigator, rate_hz) = (&scene.navigator, scene.rate_hz);
-    let smoother = scene.aiding.filter.smoother;
     let made = Made { navigator, interval, rate_hz, settings: &settings::of(scene), smoother };
     begin(&made, initial)
 }

@@ -43,7 +43,9 @@ pub enum Ended {
 /// Flies a run, and reads it at the first block's end after so many samples each; the last is its end.
 pub fn fly(scene: &Scene, source: &Source, run: u64, stops: &[u64]) -> Result<Run, Ended> {
     let initial = start::of_run(&source.initial(0), scene, run);
-    let mut vehicle = AidedVehicle::new(scene, source, run, &initial).map_err(Ended::Start)?;
+    // What a smoother would need is not kept: errors are compared with the filter's claims.
+    let vehicle = AidedVehicle::new(scene, source, run, &initial, false);
+    let mut vehicle = vehicle.map_err(Ended::Start)?;
     let mut stream = source.start(run);
     let mut reads = Vec::with_capacity(stops.len());
     let mut stops = stops.iter().copied().peekable();

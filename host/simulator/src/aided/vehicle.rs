@@ -18,14 +18,15 @@ pub struct AidedVehicle {
 }
 
 impl AidedVehicle {
-    /// At the start of a run.
+    /// At the start of a run; with `smoother`, its steps are kept.
     pub fn new(
         scene: &Scene,
         source: &Source,
         run: u64,
         initial: &Solution<f64>,
+        smoother: bool,
     ) -> Result<Self, InputError> {
-        let navigator = navigator::start(scene, initial)?;
+        let navigator = navigator::start(scene, initial, smoother)?;
         let arriving = measurements::of_run(scene, source, run);
         Ok(Self::with(navigator, arriving, scene.rate_hz))
     }

@@ -5,17 +5,23 @@
 
 use console::Term;
 use std::borrow::Cow;
+use std::env;
 use std::io::{self, IsTerminal};
 
-/// What a terminal has where nothing else is known.
-pub const COLUMNS: usize = 80;
+/// What a terminal has that does not tell.
+const COLUMNS: usize = 80;
 /// Narrower terminals break the lines themselves.
 const FEWEST: usize = 20;
 
-/// The columns of the terminal that the output goes to, or 80.
-pub fn columns() -> usize {
-    let size = if io::stdout().is_terminal() { Term::stdout().size_checked() } else { None };
-    size.map_or(COLUMNS, |(_, columns)| usize::from(columns).max(FEWEST))
+/// The columns of the terminal that the output goes to. In a file or a pipe lines end where sentences do, unless the
+/// environment has `COLUMNS`.
+pub fn columns() -> Option<usize> {
+    let told = if io::stdout().is_terminal() {
+        Some(Term::stdout().size_checked().map_or(COLUMNS, |(_, columns)| columns.into()))
+    } else {
+        env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok())
+    };
+    told.map(|columns| columns.max(FEWEST))
 }
 
 /// A text whose sentences fit so many columns.

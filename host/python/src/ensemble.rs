@@ -21,6 +21,7 @@ use schuler_host::ensemble::{check, csv, page, stops};
 use schuler_simulator::ensemble::batches::{self, Means};
 use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::ensemble::kept::Kept;
+use schuler_simulator::ensemble::part::block::Content as _;
 use schuler_simulator::flight::Nine;
 use schuler_simulator::scene::{Scene as Asked, WindowShape};
 use schuler_simulator::simulate::{FlightError, nine};

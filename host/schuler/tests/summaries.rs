@@ -174,6 +174,12 @@ fn whatever_writes_a_summary_keeps_to_the_schema() {
     let many = summary(&at("many/ensemble.json"), "ensemble");
     assert_eq!((&many["runs"], &many["vertical"]), (&json!(4), &json!("held")));
     note(&many, "ensemble");
+    schuler(folder, "ensemble aided-drive --runs 4 --duration 30 --out aided", 0);
+    note(&summary(&at("aided/ensemble.json"), "ensemble"), "ensemble");
+    schuler(folder, "run aided-drive --duration 30 --no-report --out drive", 0);
+    let drive = summary(&at("drive/summary.json"), "run");
+    assert_eq!(drive["measurements"]["sensors"][0]["accepted"], 30);
+    note(&drive, "run");
     schuler(folder, "emulate high.toml --out imu.csv --truth truth.csv", 0);
     let line = "replay --imu imu.csv --initial initial.toml --reference truth.csv --out again/";
     schuler(folder, line, 0);

@@ -91,7 +91,7 @@ fn all<T: Send, E: Send>(
     one: &(dyn Fn(u64) -> Result<T, E> + Sync),
 ) -> Result<Vec<T>, (u64, E)> {
     let progress = Progress::new(runs);
-    let results = parallel::all(runs, one, &|done| progress.reach(done));
+    let results = parallel::all(0..runs, parallel::processors(), one, &|done| progress.reach(done));
     progress.finish();
     results
 }

@@ -13,10 +13,9 @@ use schuler_simulator::ensemble::kept::Kept;
 use schuler_simulator::input::InputError;
 use schuler_simulator::number::parameter;
 use schuler_simulator::output::{GrowingFile, say};
+use schuler_simulator::parallel;
 use schuler_simulator::simulate::FlightError;
-use std::num::NonZero;
 use std::path::PathBuf;
-use std::thread;
 
 /// An ensemble about to end.
 pub struct Conclusion<'a> {
@@ -131,7 +130,6 @@ pub fn text(ground: &Ground, kept: &Kept, findings: &Findings, sentences: &[Stri
 
 /// Threads for so many runs: those that are asked for, or as many as there are processors.
 pub fn threads(wanted: Option<usize>, unit: Unit, runs: u64) -> usize {
-    let processors = || thread::available_parallelism().map_or(1, NonZero::get);
     let groups = usize::try_from(runs.div_ceil(unit.runs() as u64)).unwrap_or(usize::MAX);
-    wanted.unwrap_or_else(processors).min(groups).max(1)
+    wanted.unwrap_or_else(parallel::processors).min(groups).max(1)
 }

@@ -4,6 +4,7 @@ use crate::cli::{EnsembleArgs, Shard};
 use schuler_simulator::ensemble::batches::{self, Means};
 use schuler_simulator::ensemble::group::Ground;
 use schuler_simulator::ensemble::kept::Kept;
+use schuler_simulator::ensemble::part::block::Content;
 use schuler_simulator::ensemble::part::header::Header;
 use schuler_simulator::ensemble::part::read::{self, Read};
 use schuler_simulator::ensemble::part::write::Writer;
@@ -15,9 +16,9 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// The runs of a part that has been flown.
-pub struct Flown {
+pub struct Flown<C> {
     /// What is kept of them.
-    pub kept: Kept,
+    pub kept: C,
     /// How many were flown now, and how long that took.
     pub now: (u64, Duration),
 }
@@ -31,15 +32,15 @@ pub fn part(folder: &Path, shard: Option<Shard>) -> PathBuf {
 }
 
 /// A part to be flown, with what has been flown of it.
-pub struct Begun {
+pub struct Begun<C> {
     path: PathBuf,
     header: Header,
-    earlier: Option<Read>,
+    earlier: Option<Read<C>>,
     /// Whether results follow at once, so that the last batch need not be saved.
     is_whole: bool,
 }
 
-impl Begun {
+impl<C: Content> Begun<C> {
     /// What is there of a part. One that is there must be gone on with; one of another ensemble cannot be.
     pub fn new(args: &EnsembleArgs, path: PathBuf, header: Header) -> Result<Self, InputError> {
         let refuse = |what: String, accepted: &str| {
@@ -72,12 +73,18 @@ impl Begun {
     /// The runs that are left.
     pub fn left(&self) -> Range<u64> {
         let range = self.header.range();
-        self.earlier.as_ref().map_or(range.start, |read| read.kept.runs.end)..range.end
+        self.earlier.as_ref().map_or(range.start, |read| read.kept.runs().end)..range.end
     }
 
-    /// Flies them. All batches are added to the part; of a whole ensemble all but the last, whose results follow
-    /// at once.
-    pub fn fly(self, ground: &Ground, means: Means) -> Result<Flown, FlightError> {
+    /// Flies them: `fly` has the runs and hands each batch of them on. All batches are added to the part; of a whole
+    /// ensemble all but the last, whose results follow at once.
+    pub fn fly(
+        self,
+        fly: impl FnOnce(
+            Range<u64>,
+            &mut dyn FnMut(C) -> Result<(), FlightError>,
+        ) -> Result<(), FlightError>,
+    ) -> Result<Flown<C>, FlightError> {
         let left = self.left();
         let Self { path, header, earlier, is_whole } = self;
         let mut writer = match &earlier {
@@ -85,20 +92,28 @@ impl Begun {
             // What is complete stays as it is.
             _ => Writer::create(&path, &header)?,
         };
-        let mut kept = earlier.map_or(Kept::none(left.start), |read| read.kept);
-        let progress = Progress::new(ground.scene.samples() * (left.end - left.start));
+        let mut kept = earlier.map_or(C::none(left.start), |read| read.kept);
         let begin = Instant::now();
-        // The bar moves at whole blocks of samples only.
-        let reach = |samples: u64| progress.reach(samples / 4096 * 4096);
-        batches::fly(ground, left.clone(), means, &reach, &mut |batch| {
-            if !(is_whole && batch.runs.end == left.end) {
+        fly(left.clone(), &mut |batch| {
+            if !(is_whole && batch.runs().end == left.end) {
                 writer.add(&batch)?;
             }
             // Batches of one flight follow one another.
             let _ = kept.join(batch);
-            Ok::<(), FlightError>(())
+            Ok(())
         })?;
-        progress.finish();
         Ok(Flown { kept, now: (left.end - left.start, begin.elapsed()) })
     }
+}
+
+/// Flies the runs of an ensemble that is compared with theory.
+pub fn fly(begun: Begun<Kept>, ground: &Ground, means: Means) -> Result<Flown<Kept>, FlightError> {
+    begun.fly(|left, done| {
+        let progress = Progress::new(ground.scene.samples() * (left.end - left.start));
+        // The bar moves at whole blocks of samples only.
+        let reach = |samples: u64| progress.reach(samples / 4096 * 4096);
+        batches::fly(ground, left, means, &reach, done)?;
+        progress.finish();
+        Ok(())
+    })
 }

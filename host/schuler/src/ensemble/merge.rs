@@ -1,11 +1,13 @@
 //! `schuler ensemble merge`: the whole of an ensemble from its parts.
 
+use super::aided;
 use super::conclusion::{Conclusion, threads};
 use super::files::Extra;
 use crate::cli::{EnsembleArgs, MergeArgs};
 use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::Ground;
 use schuler_simulator::ensemble::kept::Kept;
+use schuler_simulator::ensemble::part::block::Content;
 use schuler_simulator::ensemble::part::header::Header;
 use schuler_simulator::ensemble::part::read::{self, Read};
 use schuler_simulator::input::{Complaint, InputError};
@@ -16,7 +18,29 @@ use std::path::{Path, PathBuf};
 
 /// Reads the parts, checks that they are one ensemble, and concludes as if it had been flown at once.
 pub fn merge(args: &MergeArgs) -> Result<(), FlightError> {
-    let parts = parts(&args.parts)?;
+    match args.parts.first().map(|first| read::header(first)).transpose()? {
+        Some(header) if header.aided => merge_as(args, aided::conclude),
+        _ => merge_as(args, conclude),
+    }
+}
+
+/// What was put together, and how it is to be told.
+pub struct Merged<'a> {
+    /// What was asked for.
+    pub args: &'a MergeArgs,
+    /// The command of the whole.
+    pub whole: &'a EnsembleArgs,
+    /// The scene, and where runs start.
+    pub ground: &'a Ground<'a>,
+    /// Samples taken at each reading.
+    pub stops: &'a [u64],
+}
+
+fn merge_as<C: Content>(
+    args: &MergeArgs,
+    conclude: impl FnOnce(Merged, C) -> Result<(), FlightError>,
+) -> Result<(), FlightError> {
+    let parts = parts::<C>(&args.parts)?;
     let Some((first, head)) = parts.first().map(|(path, read)| (path.clone(), read.header.clone()))
     else {
         let complaint = Complaint::new("there is none", "the parts of an ensemble");
@@ -31,26 +55,26 @@ pub fn merge(args: &MergeArgs) -> Result<(), FlightError> {
         let accepted = "the scene as it was flown; --scene names it where it is elsewhere";
         return Err(refuse(&first, difference, accepted).into());
     }
-    let mut kept = Kept::none(0);
+    let mut kept = C::none(0);
     for (path, read) in parts {
         kept.join(read.kept).map_err(|_| {
             refuse(&path, "does not follow the shard before it".to_owned(), "parts of one ensemble")
         })?;
     }
+    conclude(Merged { args, whole: &whole, ground: &ground, stops: &stops }, kept)
+}
+
+fn conclude(merged: Merged, kept: Kept) -> Result<(), FlightError> {
+    let Merged { args, whole, ground, stops } = merged;
     let unit = ground.widest(kept.runs.end);
-    let means = Means {
-        unit,
-        threads: threads(args.threads, unit, kept.runs.end),
-        stops: &stops,
-        batch: None,
-    };
+    let threads = threads(args.threads, unit, kept.runs.end);
     let conclusion = Conclusion {
-        ground: &ground,
-        whole: &whole,
-        means,
+        ground,
+        whole,
+        means: Means { unit, threads, stops, batch: None },
         extra: Extra { keep: args.keep, svg: args.svg },
         budget: args.budget,
-        folder: super::folder(args.out.as_deref(), &scene),
+        folder: super::folder(args.out.as_deref(), ground.scene),
     };
     // A file that cannot be written is found before the work.
     let files = conclusion.files()?;
@@ -58,10 +82,10 @@ pub fn merge(args: &MergeArgs) -> Result<(), FlightError> {
 }
 
 /// The parts in order: all of one ensemble, each once, none missing, each complete.
-fn parts(paths: &[PathBuf]) -> Result<Vec<(PathBuf, Read)>, InputError> {
-    let mut parts: Vec<(PathBuf, Read)> = Vec::new();
+fn parts<C: Content>(paths: &[PathBuf]) -> Result<Vec<(PathBuf, Read<C>)>, InputError> {
+    let mut parts: Vec<(PathBuf, Read<C>)> = Vec::new();
     for path in paths {
-        let part = read::read(path)?;
+        let part = read::read::<C>(path)?;
         if let Some((first, other)) = parts.first()
             && let Some(difference) = part.header.difference(&other.header)
         {
@@ -70,7 +94,7 @@ fn parts(paths: &[PathBuf]) -> Result<Vec<(PathBuf, Read)>, InputError> {
         }
         let [k, n] = part.header.shard;
         let range = part.header.range();
-        let (done, all) = (part.kept.runs.end - range.start, range.end - range.start);
+        let (done, all) = (part.kept.runs().end - range.start, range.end - range.start);
         if let Some(torn) = &part.torn {
             let what = format!("ends {torn}: it holds {done} of {all} runs of shard {k} of {n}");
             return Err(refuse(path, what, &resume(&part.header)));

@@ -15,10 +15,10 @@
 //! | [`table`], [`figures`], [`csv`], [`summary`], [`files`] | how it is told |
 //! | [`page`], [`charts`] | the page, and its charts |
 //! | [`pace`] | what navigation costs |
-//! | `aided` | aided runs: their errors beside what their filters say |
+//! | [`aided`] | aided runs: their errors beside what their filters say |
 
 pub mod accuracy;
-mod aided;
+pub mod aided;
 pub mod charts;
 mod check;
 pub mod circular;
@@ -58,6 +58,7 @@ use schuler_simulator::output::say;
 use schuler_simulator::scene::Scene;
 use schuler_simulator::simulate::FlightError;
 use schuler_simulator::source::Source;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -73,7 +74,7 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     let ground = Ground::new(&scene, &source);
     let stops = stops(&ground, &args.at);
     if scene.aiding.is_there() {
-        return aided::ensemble(args, &scene, &source, &stops, &folder);
+        return aided::ensemble(args, &ground, &stops, folder);
     }
     let Shard(shard) = args.shard.unwrap_or(Shard([1, 1]));
     let header = Header::new(&ground, args.whole(), args.runs, shard, &stops);
@@ -87,8 +88,10 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
     // A scene that cannot start, or a file that cannot be written, is found before the long work.
     ground.start(Unit::Alone, 0..1)?;
     if args.shard.is_some() {
-        let Flown { kept, now: (flown, took) } = begun.fly(&ground, means)?;
-        return say(&shard_text(&path, shard, &kept, [flown, args.runs], took)).map_err(Into::into);
+        let Flown { kept, now: (flown, took) } = flying::fly(begun, &ground, means)?;
+        let failed = kept.flown.failed.len();
+        let text = shard_text(&path, shard, (&kept.runs, failed), [flown, args.runs], took);
+        return say(&text).map_err(Into::into);
     }
     let conclusion = Conclusion {
         ground: &ground,
@@ -99,7 +102,7 @@ pub fn ensemble(args: &EnsembleArgs) -> Result<(), FlightError> {
         folder,
     };
     let files = conclusion.files()?;
-    let Flown { kept, now: (flown, took) } = begun.fly(&ground, means)?;
+    let Flown { kept, now: (flown, took) } = flying::fly(begun, &ground, means)?;
     let note = match flown {
         0 => String::new(),
         _ => speed(flown, took, unit, means.threads, pace::navigation_ns(&ground, unit)?),
@@ -124,13 +127,13 @@ pub fn stops(ground: &Ground, times: &Times) -> Vec<u64> {
 fn shard_text(
     path: &Path,
     [k, n]: [u64; 2],
-    kept: &schuler_simulator::ensemble::kept::Kept,
+    (kept, failed): (&Range<u64>, usize),
     [flown, runs]: [u64; 2],
     took: Duration,
 ) -> String {
-    let (first, last) = (kept.runs.start, kept.runs.end.saturating_sub(1));
+    let (first, last) = (kept.start, kept.end.saturating_sub(1));
     let path = path.display();
-    let failed = match kept.flown.failed.len() {
+    let failed = match failed {
         0 => String::new(),
         failed => format!(", of which {failed} did not reach their end"),
     };

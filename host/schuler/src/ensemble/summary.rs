@@ -2,9 +2,9 @@
 
 use super::accuracy::Accuracy;
 use super::findings::Findings;
-use super::statistics::Verdict;
 use crate::report::head::{Head, Navigated};
 use crate::report::summary;
+use schuler_simulator::aided::report::Report;
 use schuler_simulator::scene::{Scene, WindowShape};
 use serde::Serialize;
 
@@ -31,6 +31,9 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     r#final: Option<Final>,
     verdict: &'a [String],
+    /// Of aided runs: what became of their measurements.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    measurements: Option<&'a Report>,
 }
 
 /// χ² tests against theory.
@@ -78,7 +81,56 @@ impl Final {
     }
 }
 
-/// What came of an ensemble.
+/// What is told of an ensemble, whatever it is compared with.
+pub struct Told<'a> {
+    /// What was flown.
+    pub scene: &'a Scene,
+    /// The command that flies it, an argument each, after the program's name.
+    pub command: &'a [String],
+    /// The window.
+    pub window: WindowShape,
+    /// Runs in all, and those that did not reach their end.
+    pub runs: [u64; 2],
+    /// Samples in which a sensor was at its limit.
+    pub saturated: u64,
+    /// Tests against theory: done, failed, left out.
+    pub tests: [usize; 3],
+    /// Tests of states together: done, failed.
+    pub together: [usize; 2],
+    /// At the end.
+    pub accuracy: Option<&'a Accuracy>,
+    /// What was found out, in sentences.
+    pub sentences: &'a [String],
+    /// Of aided runs: what became of their measurements.
+    pub measurements: Option<&'a Report>,
+}
+
+/// The summary as JSON, which names the files that belong together.
+pub fn text(told: &Told, files: &[&str]) -> String {
+    let Told { scene, command, window, runs, saturated, .. } = *told;
+    let [runs, failed_runs] = runs;
+    let ([done, failed, left_out], [together, together_failed]) = (told.tests, told.together);
+    summary::text(&Summary {
+        head: Head::of_command("ensemble", files, command),
+        scene: &scene.name,
+        scene_sha256: &scene.text_sha256,
+        runs,
+        failed_runs,
+        samples: scene.samples(),
+        duration_s: scene.duration_s,
+        rate_hz: scene.rate_hz,
+        seed: scene.seed,
+        navigated: Navigated::new(&scene.navigator, Some(window)),
+        saturated,
+        tests: Tests { done, failed, left_out },
+        consistency_tests: ConsistencyTests { done: together, failed: together_failed },
+        r#final: told.accuracy.map(Final::new),
+        verdict: told.sentences,
+        measurements: told.measurements,
+    })
+}
+
+/// What came of an ensemble that is compared with theory.
 pub struct Outcome<'a> {
     /// What was flown.
     pub scene: &'a Scene,
@@ -99,24 +151,18 @@ pub struct Outcome<'a> {
 /// The summary as JSON, which names the files that belong together.
 pub fn json(outcome: &Outcome, files: &[&str]) -> String {
     let Outcome { scene, command, window, runs, saturated, findings, sentences } = *outcome;
-    let [runs, failed_runs] = runs;
-    let Findings { verdict, together, left_out, .. } = findings;
-    let Verdict { tests, failed, .. } = *verdict;
-    summary::text(&Summary {
-        head: Head::of_command("ensemble", files, command),
-        scene: &scene.name,
-        scene_sha256: &scene.text_sha256,
+    let Findings { verdict, together, left_out, instants, .. } = findings;
+    let told = Told {
+        scene,
+        command,
+        window,
         runs,
-        failed_runs,
-        samples: scene.samples(),
-        duration_s: scene.duration_s,
-        rate_hz: scene.rate_hz,
-        seed: scene.seed,
-        navigated: Navigated::new(&scene.navigator, Some(window)),
         saturated,
-        tests: Tests { done: tests, failed, left_out: *left_out },
-        consistency_tests: ConsistencyTests { done: together.tests, failed: together.failed },
-        r#final: findings.instants.last().map(|at| Final::new(&at.accuracy)),
-        verdict: sentences,
-    })
+        tests: [verdict.tests, verdict.failed, *left_out],
+        together: [together.tests, together.failed],
+        accuracy: instants.last().map(|at| &at.accuracy),
+        sentences,
+        measurements: None,
+    };
+    text(&told, files)
 }

@@ -2,6 +2,7 @@
 
 use super::head::{Head, Navigated};
 use super::{Lockstep, Nine, norm};
+use schuler_simulator::aided::report::Report;
 use schuler_simulator::flight::{Edges, Ended, Flight, LinkReport, Planned};
 use schuler_simulator::high::Neglected;
 use serde::Serialize;
@@ -33,6 +34,8 @@ struct Summary<'a> {
     error: Error,
     theory: Theory,
     time: Option<Time>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    measurements: Option<&'a Report>,
     #[serde(skip_serializing_if = "Option::is_none")]
     link: Option<&'a LinkReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -123,6 +126,7 @@ impl<'a> Summary<'a> {
                 final_mean: Components::with_norms(&flight.last.mean),
                 final_sigma: Components::with_norms(&flight.last.sigma),
             },
+            measurements: flight.aided.as_ref(),
             link: flight.link.as_ref(),
             lockstep,
             time: flight.time.map(|time| Time {

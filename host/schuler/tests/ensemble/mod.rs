@@ -1,5 +1,6 @@
 //! `schuler ensemble`: its runs are those flown alone, its statistics are right, its errors clear.
 
+mod aided;
 mod bits;
 mod budget;
 mod command;

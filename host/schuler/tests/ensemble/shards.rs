@@ -24,7 +24,7 @@ pub(super) const SCENE: &str = "duration_s = 4\nrate_hz = 20\nseed = 5\n[traject
     [navigator]\nwindow = { history = 0, block = 4, lookahead = 0 }\n";
 
 /// All files of a folder, by name.
-fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
+pub(super) fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let mut files: Vec<_> = entries
         .map(|path| {
@@ -36,7 +36,7 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-fn same(a: &Path, b: &Path, what: &str) {
+pub(super) fn same(a: &Path, b: &Path, what: &str) {
     let (a, b) = (files(a), files(b));
     let names = |files: &[(String, Vec<u8>)]| -> Vec<String> {
         files.iter().map(|(name, _)| name.clone()).collect()

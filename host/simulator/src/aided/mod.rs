@@ -11,10 +11,14 @@
 //! | [`seen`], [`smoother`] | its verdicts and steps, and what all measurements together say of them |
 //! | [`vehicle`] | one run's navigator with its measurements |
 //! | [`runs`] | many runs: their errors beside what their filters say |
-//! | [`report`] | what became of them |
+//! | [`budget`] | what each error term contributes to their errors |
+//! | [`kept`] | what is kept of them, for parts of an ensemble |
+//! | [`report`] | what became of measurements |
 
+pub mod budget;
 pub mod columns;
 pub mod fixes;
+pub mod kept;
 pub mod measurements;
 pub mod navigator;
 pub mod report;

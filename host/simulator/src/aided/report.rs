@@ -26,13 +26,13 @@ pub struct Count {
     /// What it is.
     pub sensor: &'static str,
     /// Vectors taken.
-    pub accepted: u32,
+    pub accepted: u64,
     /// Vectors refused.
-    pub refused: u32,
+    pub refused: u64,
     /// Lockouts.
-    pub lockouts: u32,
+    pub lockouts: u64,
     /// Components of the vectors taken since the heading was found.
-    pub degrees: u32,
+    pub degrees: u64,
     /// Σ NIS of them.
     pub nis: f64,
 }
@@ -40,7 +40,7 @@ pub struct Count {
 impl Count {
     /// Σ NIS by what it should be, and where 95 % of such sums lie; `None` without measurements.
     pub fn consistency(&self) -> Option<(f64, [f64; 2])> {
-        let freedom = f64::from(self.degrees);
+        let freedom = self.degrees as f64;
         (self.degrees > 0).then(|| (self.nis / freedom, by_chance(freedom)))
     }
 }
@@ -51,11 +51,11 @@ pub struct Report {
     /// By sensor; those without measurements are not there.
     pub sensors: Vec<Count>,
     /// Measurements that came again.
-    pub again: u32,
+    pub again: u64,
     /// Measurements older than what is remembered, or than the horizon.
-    pub late: u32,
+    pub late: u64,
     /// Measurements for which there was no room.
-    pub dropped: u32,
+    pub dropped: u64,
     /// When lockouts were, s.
     pub lockouts_s: Vec<f64>,
     /// When the filter started again to look for the heading, s.
@@ -104,13 +104,14 @@ impl Report {
     ) -> Self {
         let settled_s = restarts_s.last().copied().unwrap_or(f64::NEG_INFINITY);
         let sensors = Sensor::ALL.into_iter().zip(lockouts).filter_map(|(sensor, lockouts)| {
+            let lockouts = lockouts.into();
             let mut count = Count { sensor: name(sensor), lockouts, ..Count::default() };
             for one in judged.iter().filter(|one| one.kind.sensor() == sensor) {
                 if one.accepted {
                     count.accepted += 1;
                     // While a heading is looked for, what is accepted need not fit.
                     if one.time_s > settled_s {
-                        count.degrees += one.kind.degrees();
+                        count.degrees += u64::from(one.kind.degrees());
                         count.nis += one.nis;
                     }
                 } else {
@@ -122,9 +123,9 @@ impl Report {
         let locked = judged.iter().filter(|one| one.locked_out).map(|one| one.time_s);
         Self {
             sensors: sensors.collect(),
-            again: transport.again,
-            late: transport.late,
-            dropped: transport.dropped,
+            again: transport.again.into(),
+            late: transport.late.into(),
+            dropped: transport.dropped.into(),
             lockouts_s: locked.collect(),
             restarts_s: restarts_s.to_vec(),
             smoothed: None,

@@ -7,6 +7,7 @@
 use super::batches::{self, Means};
 use super::group::Ground;
 use super::kept::Kept;
+use super::part::block::Content as _;
 use crate::flight::Nine;
 use crate::navigator::Unavailable;
 use crate::scene::terms::{Source as Kind, TERMS};
@@ -186,7 +187,7 @@ pub fn by_switching_off<E: From<Unavailable> + From<SourceError>>(
 }
 
 /// Mean and standard deviation.
-fn moments(differences: &[[f64; Nine::NAMES.len()]]) -> Contribution {
+pub fn moments(differences: &[[f64; Nine::NAMES.len()]]) -> Contribution {
     let n = differences.len() as f64;
     if n < 2.0 {
         return Contribution::UNKNOWN;

@@ -1,17 +1,36 @@
-//! A block of runs in bytes: its line, and the drifts behind it.
+//! A block of runs in bytes: its line, and the numbers behind it.
 
-use super::super::fleet::{Flown, Reading};
-use super::super::kept::Kept;
-use super::super::runs::Failure;
-use schuler::drift::compare::Drift;
-use schuler::drift::linear::ErrorState;
-use schuler::link::refusal::Refusal;
+use super::super::kept::Unfit;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
-/// Bytes of a drift.
-pub const DRIFT: usize = 9 * 8;
+/// Bytes of a number.
+const NUMBER: usize = 8;
 
-/// The line before a block's drifts.
+/// Runs of consecutive numbers, as a part has them.
+pub trait Content: Sized {
+    /// Whether they are aided.
+    const IS_AIDED: bool;
+    /// How many numbers there are of each run at each instant.
+    const AT_INSTANT: usize;
+    /// How many there are of each run besides.
+    const OF_RUN: usize;
+
+    /// None yet: the next run is that of a number.
+    fn none(first: u64) -> Self;
+    /// The runs.
+    fn runs(&self) -> Range<u64>;
+    /// Takes the runs that follow.
+    fn join(&mut self, later: Self) -> Result<(), Unfit>;
+    /// What a block of them says first.
+    fn line(&self) -> Line;
+    /// The numbers of the runs that reached their end, run by run.
+    fn numbers(&self) -> Vec<f64>;
+    /// Of both; `None` where a reason is none, or a number cannot be what it should.
+    fn of(line: Line, numbers: &[f64]) -> Option<Self>;
+}
+
+/// The line before a block's numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Line {
@@ -28,19 +47,6 @@ pub struct Line {
 }
 
 impl Line {
-    /// Of runs.
-    pub fn new(kept: &Kept) -> Self {
-        let code = |failure: &Failure| Refusal::from(failure.why).code();
-        let failed = kept.flown.failed.iter();
-        Self {
-            first: kept.runs.start,
-            end: kept.runs.end,
-            samples: kept.instants(),
-            saturated: kept.flown.saturated,
-            failed: failed.map(|failure| (failure.run, failure.sample, code(failure))).collect(),
-        }
-    }
-
     /// Runs that reached their end; `None` where the line contradicts itself.
     fn survivors(&self) -> Option<u64> {
         let inside = self.failed.iter().all(|(run, ..)| (self.first..self.end).contains(run));
@@ -51,50 +57,28 @@ impl Line {
         (inside && ordered && increasing && read && self.first < self.end).then_some(survivors)
     }
 
-    /// Bytes of the drifts behind it; `None` where it contradicts itself.
-    pub fn bytes(&self) -> Option<usize> {
-        let drifts = self.survivors()?.checked_mul(self.samples.len() as u64)?;
-        usize::try_from(drifts).ok()?.checked_mul(DRIFT)
+    /// How many numbers there are behind it; `None` where it contradicts itself.
+    fn numbers<C: Content>(&self) -> Option<usize> {
+        let instants = self.samples.len().checked_mul(C::AT_INSTANT)?;
+        let numbers = usize::try_from(self.survivors()?).ok()?;
+        numbers.checked_mul(instants.checked_add(C::OF_RUN)?)
     }
 
-    /// The runs, with their drifts; `None` where something is no number or no reason.
-    pub fn runs(self, bytes: &[u8]) -> Option<Kept> {
-        let instants = self.samples.len();
-        let mut readings: Vec<Reading> =
-            self.samples.iter().map(|&samples| Reading { samples, drifts: Vec::new() }).collect();
-        for (place, bytes) in bytes.as_chunks::<DRIFT>().0.iter().enumerate() {
-            readings.get_mut(place % instants)?.drifts.push(drift(bytes)?);
-        }
-        let failure = |(run, sample, code)| match Refusal::from_code(code)? {
-            Refusal::Rejected(why) => Some(Failure { run, sample, why }),
-            _ => None,
-        };
-        let failed = self.failed.into_iter().map(failure).collect::<Option<_>>()?;
-        let flown = Flown { readings, saturated: self.saturated, failed };
-        Some(Kept { runs: self.first..self.end, flown })
+    /// Bytes of the numbers behind it; `None` where it contradicts itself.
+    pub fn bytes<C: Content>(&self) -> Option<usize> {
+        self.numbers::<C>()?.checked_mul(NUMBER)
     }
 }
 
-/// The drifts of runs, run by run.
-pub fn drifts(kept: &Kept) -> Vec<u8> {
-    let readings = &kept.flown.readings;
-    let runs = readings.first().map_or(0, |reading| reading.drifts.len());
-    let all = (0..runs).flat_map(|run| readings.iter().map(move |reading| &reading.drifts[run]));
-    all.flat_map(|drift| numbers(drift).map(f64::to_le_bytes)).flatten().collect()
+/// The numbers of runs in bytes.
+pub fn bytes<C: Content>(runs: &C) -> Vec<u8> {
+    runs.numbers().into_iter().flat_map(f64::to_le_bytes).collect()
 }
 
-/// Position, velocity and attitude.
-fn numbers(drift: &Drift) -> [f64; 9] {
-    let Drift { position_ned: position, velocity_ned: velocity, attitude_ned: attitude } = *drift;
-    ErrorState { position, velocity, attitude }.into_array()
-}
-
-fn drift(bytes: &[u8; DRIFT]) -> Option<Drift> {
-    let mut numbers = [0.0; 9];
-    for (number, bytes) in numbers.iter_mut().zip(bytes.as_chunks::<8>().0) {
-        *number = f64::from_le_bytes(*bytes);
-    }
-    let ErrorState { position, velocity, attitude } = numbers.into();
-    let drift = Drift { position_ned: position, velocity_ned: velocity, attitude_ned: attitude };
-    numbers.iter().all(|number| number.is_finite()).then_some(drift)
+/// The runs of a line with the bytes behind it; `None` where something is no number or no reason.
+pub fn runs<C: Content>(line: Line, bytes: &[u8]) -> Option<C> {
+    let numbers: Vec<f64> =
+        bytes.as_chunks::<NUMBER>().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+    let is_whole = line.numbers::<C>() == Some(numbers.len());
+    if is_whole { C::of(line, &numbers) } else { None }
 }

@@ -38,6 +38,9 @@ pub struct Header {
     pub shard: [u64; 2],
     /// Samples taken at each reading.
     pub stops: Vec<u64>,
+    /// Whether its runs are aided: then each has what its filter says, too.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub aided: bool,
 }
 
 impl Header {
@@ -62,6 +65,7 @@ impl Header {
             runs,
             shard,
             stops: stops.to_vec(),
+            aided: scene.aiding.is_there(),
         }
     }
 
@@ -103,6 +107,11 @@ impl Header {
         }
         None
     }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+fn is_false(it: &bool) -> bool {
+    !it
 }
 
 /// The numbers of the runs of shard K of N: as many in each, to one.

@@ -1,7 +1,7 @@
 //! A part read back. Whatever is not as it was written is refused, with its place.
 
-use super::super::kept::{Kept, Unfit};
-use super::block::Line;
+use super::super::kept::Unfit;
+use super::block::{self, Content, Line};
 use super::header::{FORM, Header, KIND, hex};
 use crate::input::{Complaint, InputError};
 use sha2::{Digest as _, Sha256};
@@ -16,11 +16,11 @@ const SUM: usize = 65;
 
 /// A part.
 #[derive(Clone, Debug)]
-pub struct Read {
+pub struct Read<C> {
     /// What it is of.
     pub header: Header,
     /// The runs of its whole blocks.
-    pub kept: Kept,
+    pub kept: C,
     /// Bytes up to the end of the last whole block.
     pub bytes: u64,
     /// Where it ends within a block, if it does: for people.
@@ -48,49 +48,35 @@ impl From<io::Error> for Fault {
     }
 }
 
+/// Reads what a part is of.
+pub fn header(path: &Path) -> Result<Header, InputError> {
+    Ok(begin(path)?.0)
+}
+
 /// Reads a part. It may end within a block; all other damage is an error.
-pub fn read(path: &Path) -> Result<Read, InputError> {
-    let refuse = |what: String, accepted: &str| {
-        InputError::file(&path.display().to_string(), Complaint::new(what, accepted))
-    };
-    let unreadable = |error: &io::Error| refuse(format!("cannot be read: {error}"), "");
-    let file = File::open(path).map_err(|error| unreadable(&error))?;
-    let mut source = Source { file: BufReader::new(file), hash: Sha256::new(), at: 0 };
-    let no_part = |why: &str| {
-        refuse(format!("is no part of an ensemble: {why}"), "a file of `schuler ensemble --shard`")
-    };
-    let line = match source.line() {
-        Ok(Some(line)) => line,
-        Ok(None) => return Err(no_part("it is empty")),
-        Err(Fault::Io(error)) => return Err(unreadable(&error)),
-        Err(_) => return Err(no_part("its first line has no end")),
-    };
-    let value: serde_json::Value =
-        serde_json::from_slice(&line).map_err(|_| no_part("its first line is not JSON"))?;
-    if value["kind"] != KIND {
-        return Err(no_part("its first line does not say so"));
+pub fn read<C: Content>(path: &Path) -> Result<Read<C>, InputError> {
+    let refuse = |what: String, accepted: &str| refuse(path, what, accepted);
+    let (header, mut source) = begin(path)?;
+    if header.aided != C::IS_AIDED {
+        let [theirs, others] = match header.aided {
+            true => ["is of aided runs", "parts of runs that are not"],
+            false => ["is of runs without aiding", "parts of aided runs"],
+        };
+        return Err(refuse(theirs.to_owned(), others));
     }
-    if value["form"] != FORM {
-        let what = format!("has the form {} of another version", value["form"]);
-        return Err(refuse(what, &FORM.to_string()));
-    }
-    let header: Header = serde_json::from_value(value)
-        .map_err(|error| no_part(&format!("its first line is damaged: {error}")))?;
     let range = header.range();
-    if header.shard[0] == 0 || header.shard[0] > header.shard[1] || range.is_empty() {
-        return Err(no_part("its first line names no shard"));
-    }
-    let mut kept = Kept::none(range.start);
+    let mut kept = C::none(range.start);
     let (mut bytes, mut hash) = (source.at, source.hash.clone());
     let mut torn = None;
     loop {
-        let next = kept.runs.end;
+        let next = kept.runs().end;
         let place = format!("in the block of run {next}, at byte {bytes}");
-        match source.block() {
+        match source.block::<C>() {
             Ok(None) => break,
             Ok(Some(block)) => {
-                if block.runs.end > range.end {
-                    let (last, end) = (block.runs.end - 1, range.end - 1);
+                let block_end = block.runs().end;
+                if block_end > range.end {
+                    let (last, end) = (block_end - 1, range.end - 1);
                     let what = format!("has run {last} {place}, where its shard ends with {end}");
                     return Err(refuse(what, ""));
                 }
@@ -110,10 +96,49 @@ pub fn read(path: &Path) -> Result<Read, InputError> {
             Err(Fault::Damaged(what)) => {
                 return Err(refuse(format!("is damaged {place}: {what}"), ""));
             }
-            Err(Fault::Io(error)) => return Err(unreadable(&error)),
+            Err(Fault::Io(error)) => return Err(unreadable(path, &error)),
         }
     }
     Ok(Read { header, kept, bytes, torn, hash })
+}
+
+fn refuse(path: &Path, what: String, accepted: &str) -> InputError {
+    InputError::file(&path.display().to_string(), Complaint::new(what, accepted))
+}
+
+fn unreadable(path: &Path, error: &io::Error) -> InputError {
+    refuse(path, format!("cannot be read: {error}"), "")
+}
+
+/// Reads the first line.
+fn begin(path: &Path) -> Result<(Header, Source), InputError> {
+    let file = File::open(path).map_err(|error| unreadable(path, &error))?;
+    let mut source = Source { file: BufReader::new(file), hash: Sha256::new(), at: 0 };
+    let no_part = |why: &str| {
+        let what = format!("is no part of an ensemble: {why}");
+        refuse(path, what, "a file of `schuler ensemble --shard`")
+    };
+    let line = match source.line() {
+        Ok(Some(line)) => line,
+        Ok(None) => return Err(no_part("it is empty")),
+        Err(Fault::Io(error)) => return Err(unreadable(path, &error)),
+        Err(_) => return Err(no_part("its first line has no end")),
+    };
+    let value: serde_json::Value =
+        serde_json::from_slice(&line).map_err(|_| no_part("its first line is not JSON"))?;
+    if value["kind"] != KIND {
+        return Err(no_part("its first line does not say so"));
+    }
+    if value["form"] != FORM {
+        let what = format!("has the form {} of another version", value["form"]);
+        return Err(refuse(path, what, &FORM.to_string()));
+    }
+    let header: Header = serde_json::from_value(value)
+        .map_err(|error| no_part(&format!("its first line is damaged: {error}")))?;
+    if header.shard[0] == 0 || header.shard[0] > header.shard[1] || header.range().is_empty() {
+        return Err(no_part("its first line names no shard"));
+    }
+    Ok((header, source))
 }
 
 struct Source {
@@ -124,19 +149,19 @@ struct Source {
 
 impl Source {
     /// The next block; `None` at the end of the file.
-    fn block(&mut self) -> Result<Option<Kept>, Fault> {
+    fn block<C: Content>(&mut self) -> Result<Option<C>, Fault> {
         let damaged = |what: &str| Fault::Damaged(what.to_owned());
         let Some(line) = self.line()? else { return Ok(None) };
         let line: Line =
             serde_json::from_slice(&line).map_err(|error| Fault::Damaged(error.to_string()))?;
-        let bytes = line.bytes().ok_or_else(|| damaged("its line contradicts itself"))?;
-        let mut drifts = Vec::new();
-        let taken = self.file.by_ref().take(bytes as u64).read_to_end(&mut drifts)?;
+        let bytes = line.bytes::<C>().ok_or_else(|| damaged("its line contradicts itself"))?;
+        let mut numbers = Vec::new();
+        let taken = self.file.by_ref().take(bytes as u64).read_to_end(&mut numbers)?;
         self.at += taken as u64;
         if taken < bytes {
             return Err(Fault::Torn);
         }
-        self.hash.update(&drifts);
+        self.hash.update(&numbers);
         let expected = format!("{}\n", hex(&self.hash.clone().finalize()));
         let mut sum = [0; SUM];
         self.file.read_exact(&mut sum)?;
@@ -145,7 +170,7 @@ impl Source {
             return Err(damaged("its bytes have another SHA-256 than the one behind them"));
         }
         self.hash.update(sum);
-        line.runs(&drifts).map(Some).ok_or_else(|| damaged("a drift is not finite"))
+        block::runs(line, &numbers).map(Some).ok_or_else(|| damaged("a number is not finite"))
     }
 
     /// The next line without its end; `None` at the end of the file.

@@ -1,7 +1,6 @@
 //! A part that grows by whole blocks.
 
-use super::super::kept::Kept;
-use super::block::{self, Line};
+use super::block::{self, Content};
 use super::header::{Header, hex};
 use super::read::Read;
 use crate::input::{Complaint, InputError};
@@ -29,7 +28,7 @@ impl Writer {
     }
 
     /// One that goes on behind the last whole block of what was read.
-    pub fn resume(path: &Path, read: &Read) -> Result<Self, InputError> {
+    pub fn resume(path: &Path, read: &Read<impl Content>) -> Result<Self, InputError> {
         let file = GrowingFile::resume(path, read.bytes)?;
         Ok(Self { file, start: Vec::new(), hash: read.hash.clone(), header: read.header.clone() })
     }
@@ -40,17 +39,17 @@ impl Writer {
     }
 
     /// Adds runs.
-    pub fn add(&mut self, kept: &Kept) -> Result<(), InputError> {
+    pub fn add(&mut self, runs: &impl Content) -> Result<(), InputError> {
         let mut bytes = std::mem::take(&mut self.start);
         let begun = bytes.len();
-        bytes.extend(line(self.path(), &Line::new(kept))?);
-        bytes.extend(block::drifts(kept));
+        bytes.extend(line(self.path(), &runs.line())?);
+        bytes.extend(block::bytes(runs));
         self.hash.update(&bytes[begun..]);
         let sum = format!("{}\n", hex(&self.hash.clone().finalize()));
         self.hash.update(&sum);
         bytes.extend(sum.as_bytes());
         let range = self.header.range();
-        let (done, all) = (kept.runs.end - range.start, range.end - range.start);
+        let (done, all) = (runs.runs().end - range.start, range.end - range.start);
         let path = self.path().display();
         let left = format!("{path} holds {done} of {all} runs; --resume goes on with it");
         self.file.append(&bytes, left)

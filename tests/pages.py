@@ -18,10 +18,10 @@ ARGUMENTS = [
 # Every page, and how many charts it has at least.
 CHARTS = {
     "run": 30, "dense": 20, "perfect": 20, "replay": 18, "ensemble": 20, "allan": 2, "frontier": 2, "hil": 30, "stream": 25,
-    "stress": 0, "verify": 0, "compare": 0, "sensitivity": 0,
+    "aided": 20, "smoothed": 30, "stress": 0, "verify": 0, "compare": 0, "sensitivity": 0,
 }
 # Pages of the form of another one, which is looked at in every light.
-ALIKE = {"dense", "perfect", "stream"}
+ALIKE = {"dense", "perfect", "stream", "smoothed"}
 faults = []
 
 

@@ -47,6 +47,10 @@ make perfect 0 run paper-perfect --duration 60 --out perfect
 make emulate 0 emulate drive --duration 120 --out imu.csv --truth truth.csv
 make replay 0 replay --imu imu.csv --initial initial.toml --reference truth.csv --out replay/
 make ensemble 0 ensemble paper --runs 64 --duration 600 --budget --out ensemble
+"$schuler" scenes aided-drive >drive.toml
+printf '\n[filter]\nsmoother = true\n' >>drive.toml
+make aided 0 ensemble drive.toml --runs 24 --budget 8 --out aided
+make smoothed 0 run drive.toml --out smoothed
 make allan 0 allan paper --out allan
 make frontier 0 frontier --quick --scene stationary --scene coning --rate 50 --out frontier
 make stress 0 stress --case coning --out stress

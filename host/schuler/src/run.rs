@@ -46,7 +46,7 @@ fn fly(
 ) -> Result<(Flight, Result<(), FlightError>), FlightError> {
     let simulation = Simulation::of_run(scene, args.force_all, args.number)?;
     let progress = Progress::new(scene.samples());
-    let mut files = FlightFiles::create(directory, args.wanted())?;
+    let mut files = FlightFiles::create(directory, args.wanted(scene))?;
     let rows = scene.samples();
     let rows = args.every.map_or(rows, |every| every.kept(rows, 1.0 / scene.rate_hz));
     let columns = DriftCsv::columns(simulation.expects_scatter());

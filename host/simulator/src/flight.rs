@@ -275,6 +275,8 @@ pub struct Flight {
     pub aligned: Option<Outcome>,
     /// What became of the measurements that aided it, if any.
     pub aided: Option<Report>,
+    /// What all measurements together say of it, with the standard deviation of that; none where it is not smoothed.
+    pub smoothed: Vec<Instant>,
     /// Stage times; absent when not measured.
     pub time: Option<StageTimes>,
 }

@@ -13,7 +13,7 @@ use riding::Riding;
 pub use vehicle::Vehicle;
 
 use crate::aided::report::Report;
-use crate::aided::smoother;
+use crate::aided::smoother::{self, Smoothed};
 use crate::aided::vehicle::AidedVehicle;
 use crate::alignment::begin::{Beginning, begin};
 use crate::alignment::outcome::Outcome;
@@ -190,6 +190,7 @@ impl<'a> Simulation<'a> {
             planned_duration_s: scene.duration_s,
         });
 
+        let smoothed = claims.as_ref().map(|claims| claims.smoothed.take()).unwrap_or_default();
         let flight = Flight {
             scene: scene.clone(),
             samples: flown.get(),
@@ -211,11 +212,11 @@ impl<'a> Simulation<'a> {
             link: None,
             aligned,
             aided: claims.and_then(|claims| {
-                let smoothed = claims.smoothed.take();
                 let truth = |samples| source.truth(samples);
                 let compared = smoother::compared(&smoothed, scene.rate_hz, truth);
                 claims.report.take().map(|report| Report { smoothed: compared, ..report })
             }),
+            smoothed: smoothed.iter().map(|one| smoothed_instant(&source, one)).collect(),
         };
         Ok((flight, end.map_or(Ok(()), |(_, error)| Err(error))))
     }
@@ -257,6 +258,12 @@ fn instant(source: &Source, theory: &mut Theory, sample: u64, computed: &Solutio
     let expected = theory.at(time_s);
     let (mean, sigma) = (nine(&expected.mean), nine(&expected.sigma));
     Instant { mean, sigma, ..compared(time_s, computed, &source.truth(sample)) }
+}
+
+fn smoothed_instant(source: &Source, smoothed: &Smoothed) -> Instant {
+    let Smoothed { samples, solution, covariance, .. } = smoothed;
+    let compared = compared(source.time_s(*samples), solution, &source.truth(*samples));
+    Instant { mean: Nine::default(), sigma: riding::sigma(covariance), ..compared }
 }
 
 /// An instant of which theory says nothing.

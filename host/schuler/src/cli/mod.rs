@@ -136,13 +136,14 @@ pub struct RunArgs {
 }
 
 impl RunArgs {
-    /// What is written of it.
-    pub fn wanted(&self) -> Wanted {
+    /// What is written of a flight of the scene.
+    pub fn wanted(&self, scene: &Scene) -> Wanted {
         Wanted {
             every: self.every,
             report: !self.no_report,
             rows: self.rows,
             svg: self.svg,
+            smoothed: scene.aiding.filter.smoother,
             run: self.number,
         }
     }

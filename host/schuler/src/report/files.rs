@@ -13,7 +13,7 @@ use schuler_simulator::theory::Theory;
 use std::path::{Path, PathBuf};
 
 /// Every file of a flight, written or not.
-pub const NAMES: [&str; 7] = [
+pub const NAMES: [&str; 8] = [
     drift_csv::NAME,
     summary::NAME,
     plot::NAME,
@@ -21,7 +21,10 @@ pub const NAMES: [&str; 7] = [
     rows::NAMES[0],
     rows::NAMES[1],
     plot::SVG,
+    SMOOTHED,
 ];
+/// What a smoother makes of a flight, in the form of `drift.csv`.
+pub const SMOOTHED: &str = "smoothed.csv";
 
 /// What is to be written besides `summary.json` and `drift.csv`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -34,6 +37,8 @@ pub struct Wanted {
     pub rows: bool,
     /// `drift.svg`.
     pub svg: bool,
+    /// `smoothed.csv`.
+    pub smoothed: bool,
     /// The number of the run, whose sensors the page shows.
     pub run: u64,
 }
@@ -47,6 +52,8 @@ pub struct FlightFiles {
     pages: Option<[OutputFile; 2]>,
     /// The picture for documents, where it is wanted.
     svg: Option<OutputFile>,
+    /// What a smoother makes of it, where there is one.
+    smoothed: Option<DriftCsv>,
     /// What the page shows of every row.
     traces: Traces,
     run: u64,
@@ -80,7 +87,7 @@ pub fn of_earlier(folder: &Path) -> Option<String> {
 impl FlightFiles {
     /// To be in a folder. What cannot be written is found here, before the flight.
     pub fn create(folder: &Path, wanted: Wanted) -> Result<Self, InputError> {
-        let Wanted { every, report, rows, svg, run } = wanted;
+        let Wanted { every, report, rows, svg, smoothed, run } = wanted;
         let drift = DriftCsv::create(&folder.join(drift_csv::NAME), every)?;
         let summary = OutputFile::create(folder.join(summary::NAME))?;
         let mut stale = Vec::new();
@@ -110,7 +117,14 @@ impl FlightFiles {
             leave(&[plot::SVG]);
             None
         };
-        Ok(Self { drift, summary, pages, svg, traces: Traces::default(), run, rows, stale })
+        let smoothed = if smoothed {
+            Some(DriftCsv::create(&folder.join(SMOOTHED), every)?)
+        } else {
+            leave(&[SMOOTHED]);
+            None
+        };
+        let traces = Traces::default();
+        Ok(Self { drift, summary, pages, svg, smoothed, traces, run, rows, stale })
     }
 
     /// Takes the next instant.
@@ -129,7 +143,7 @@ impl FlightFiles {
         others: Vec<OutputFile>,
         lockstep: Option<Lockstep>,
     ) -> Result<(), InputError> {
-        let Self { drift, mut summary, pages, svg, traces, run, rows, stale } = self;
+        let Self { drift, mut summary, pages, svg, smoothed, traces, run, rows, stale } = self;
         let json = |names: &[&str]| summary::json(flight, names, lockstep.as_ref());
         // The folder of the first is locked.
         let mut files = vec![drift.into_file()?];
@@ -148,6 +162,11 @@ impl FlightFiles {
             svg.put(plot::svg(flight))?;
             files.push(svg);
             names.push(plot::SVG);
+        }
+        if let Some(mut smoothed) = smoothed {
+            flight.smoothed.iter().try_for_each(|instant| smoothed.row(instant))?;
+            files.push(smoothed.into_file()?);
+            names.push(SMOOTHED);
         }
         if let Some(rows) = rows {
             files.extend(rows.into_files()?);

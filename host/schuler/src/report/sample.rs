@@ -119,6 +119,7 @@ pub fn scaled(scale: f64) -> Flight {
         lost: 0,
         link: None,
         aided: None,
+        smoothed: Vec::new(),
         time: Some(StageTimes { trajectory_ns: 210.0, emulate_ns: 145.0, navigate_ns: 96.0 }),
     }
 }

@@ -71,6 +71,47 @@ fn aided_shards_merge_to_the_whole_byte_for_byte() {
 }
 
 #[test]
+fn smoothed_runs_are_as_their_smoothers_say_and_merge_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let scene = SCENE.replace("[[7.5, 12]]", "[[3.5, 8.5]]") + "[filter]\nsmoother = true\n";
+    fs::write(at("scene.toml"), scene).unwrap();
+    let whole = "ensemble scene.toml --runs 60 --at 6s";
+    done(folder.path(), &format!("{whole} --out whole"));
+    for k in 1..=2 {
+        done(folder.path(), &format!("{whole} --shard {k}/2 --out parts"));
+    }
+    let parts = "parts/shard-1-of-2.part parts/shard-2-of-2.part";
+    done(folder.path(), &format!("ensemble merge {parts} --out merged"));
+    same(&at("whole"), &at("merged"), "smoothed");
+    // In the middle of the outage, at the end.
+    let cell = |file: &str, row: usize, column: &str| -> f64 {
+        let text = fs::read_to_string(at("whole").join(file)).unwrap();
+        let place = text.lines().next().unwrap().split(',').position(|name| name == column);
+        text.lines().nth(1 + row).unwrap().split(',').nth(place.unwrap()).unwrap().parse().unwrap()
+    };
+    let [filtered, smoothed] =
+        ["aided.csv", "smoothed.csv"].map(|file| cell(file, 0, "north_m_sigma"));
+    assert!(smoothed < 0.9 * filtered, "{smoothed} {filtered}");
+    assert_eq!(cell("smoothed.csv", 1, "north_m_rms"), cell("aided.csv", 1, "north_m_rms"));
+    for row in 0..2 {
+        // χ² of 540 degrees of freedom by their number: four of √(2/540).
+        let nees = cell("smoothed.csv", row, "nees_all");
+        assert!((nees - 1.0).abs() < 4.0 * (2.0_f64 / 540.0).sqrt(), "{nees}");
+    }
+    done(folder.path(), "run scene.toml --out one");
+    let page = fs::read_to_string(at("one/report.html")).unwrap();
+    assert!(page.contains("<h2>Smoothed</h2>"));
+    // Its rows are errors within what is claimed: 4σ, which one in 16,000 passes.
+    let rows = fs::read_to_string(at("one/smoothed.csv")).unwrap();
+    let far = rows.lines().skip(1).filter(|row| {
+        let numbers: Vec<f64> = row.split(',').map(|number| number.parse().unwrap()).collect();
+        (0..9).any(|i| numbers[1 + i].abs() > 4.0 * numbers[10 + i])
+    });
+    assert!(rows.lines().count() > 50 && far.count() == 0);
+}
+
+#[test]
 fn aided_runs_that_were_stopped_go_on_to_the_same_end() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("scene.toml"), SCENE).unwrap();

@@ -9,8 +9,10 @@ use schuler::aiding::aided::measured::Sensor;
 use schuler::link::refusal::Refusal;
 use std::ops::Range;
 
-/// Numbers of an instant: errors, variances, NEES.
-const AT_INSTANT: usize = 9 + 9 + GROUPS.len();
+/// Numbers of a reading: errors, variances, NEES.
+const OF_READ: usize = 9 + 9 + GROUPS.len();
+/// Numbers of an instant: filtered, smoothed.
+const AT_INSTANT: usize = 2 * OF_READ;
 /// Numbers of a sensor: taken, refused, lockouts, degrees of freedom, Σ NIS.
 const OF_SENSOR: usize = 5;
 /// Numbers of a run: its sensors', what came again, late, and found no room, saturated samples.
@@ -93,7 +95,12 @@ impl Content for AidedRuns {
 
     fn numbers(&self) -> Vec<f64> {
         let of_run = |run: &Run| {
-            let mut numbers: Vec<f64> = run.reads.iter().flat_map(at_instant).collect();
+            let none = [f64::NAN; OF_READ];
+            let mut numbers = Vec::new();
+            for (place, read) in run.reads.iter().enumerate() {
+                numbers.extend(of_read(read));
+                numbers.extend(run.smoothed.get(place).map_or(none, of_read));
+            }
             numbers.extend(counts(&run.report));
             numbers.push(run.saturated as f64);
             numbers
@@ -106,11 +113,10 @@ impl Content for AidedRuns {
         let run = |numbers: &[f64]| -> Option<Run> {
             let (reads, counts) = numbers.split_at_checked(of_run - OF_RUN)?;
             let (saturated, counts) = counts.split_last()?;
-            let reads = reads.as_chunks::<AT_INSTANT>().0.iter().zip(&line.samples);
+            let (filtered, smoothed) = both(reads, &line.samples)?;
             Some(Run {
-                reads: reads
-                    .map(|(numbers, samples)| read(*samples, numbers))
-                    .collect::<Option<_>>()?,
+                reads: filtered,
+                smoothed,
                 report: report(counts)?,
                 saturated: count(*saturated)?,
             })
@@ -129,21 +135,37 @@ impl Content for AidedRuns {
     }
 }
 
-fn at_instant(read: &Read) -> impl Iterator<Item = f64> {
-    read.error.into_iter().chain(read.variance).chain(read.nees)
+fn of_read(read: &Read) -> [f64; OF_READ] {
+    let mut numbers = read.error.into_iter().chain(read.variance).chain(read.nees);
+    std::array::from_fn(|_| numbers.next().unwrap_or(f64::NAN))
 }
 
-/// `None` where an error or a variance is no number. NEES may be none: of a covariance that is not regular.
-fn read(samples: u64, numbers: &[f64; AT_INSTANT]) -> Option<Read> {
+/// Readings of a run, filtered and smoothed. `None` where an error or a variance of the filter is no number: NEES may be
+/// none, of a covariance that is not regular, and so may be what a smoother does not reach.
+fn both(numbers: &[f64], samples: &[u64]) -> Option<(Vec<Read>, Vec<Read>)> {
+    let (mut filtered, mut smoothed) = (Vec::new(), Vec::new());
+    for (numbers, &samples) in numbers.as_chunks::<AT_INSTANT>().0.iter().zip(samples) {
+        let (first, second) = numbers.split_at(OF_READ);
+        filtered.push(read(samples, first));
+        smoothed.push(read(samples, second));
+    }
+    let mut known = filtered.iter().flat_map(|read| read.error.iter().chain(&read.variance));
+    if !known.all(|x| x.is_finite()) {
+        return None;
+    }
+    let is_there = smoothed.iter().any(|read| read.error[0].is_finite());
+    Some((filtered, if is_there { smoothed } else { Vec::new() }))
+}
+
+fn read(samples: u64, numbers: &[f64]) -> Read {
     let mut numbers = numbers.iter().copied();
     let mut next = || numbers.next().unwrap_or(f64::NAN);
-    let read = Read {
+    Read {
         samples,
         error: std::array::from_fn(|_| next()),
         variance: std::array::from_fn(|_| next()),
         nees: std::array::from_fn(|_| next()),
-    };
-    read.error.iter().chain(&read.variance).all(|x| x.is_finite()).then_some(read)
+    }
 }
 
 fn counts(report: &Report) -> Vec<f64> {

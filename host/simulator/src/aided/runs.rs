@@ -2,6 +2,7 @@
 
 use super::kept::{AidedRuns, Failure};
 use super::report::{Count, Report};
+use super::smoother::Smoothed;
 use super::vehicle::AidedVehicle;
 use super::{measurements, navigator};
 use crate::input::InputError;
@@ -13,6 +14,7 @@ use crate::source::Source;
 use schuler::aiding::aided::fault::AidedFault;
 use schuler::drift::compare::drift;
 use schuler::math::vector::Vector;
+use schuler::solution::Solution;
 use std::ops::Range;
 
 /// A run at one instant.
@@ -33,6 +35,8 @@ pub struct Read {
 pub struct Run {
     /// In order of time.
     pub reads: Vec<Read>,
+    /// What a smoother makes of each; none without one. Not numbers before the filter last started.
+    pub smoothed: Vec<Read>,
     /// What became of its measurements.
     pub report: Report,
     /// Samples in which a sensor was at its limit.
@@ -70,8 +74,8 @@ impl<'a> Scenes<'a> {
 pub fn fly(scenes: Scenes, run: u64, stops: &[u64]) -> Result<Run, Ended> {
     let Scenes { flown: scene, believed, source } = scenes;
     let initial = start::of_run(&source.initial(0), scene, run);
-    // What a smoother would need is not kept: errors are compared with the filter's claims.
-    let navigator = navigator::start(believed, &initial, false).map_err(Ended::Start)?;
+    let smoother = believed.aiding.filter.smoother;
+    let navigator = navigator::start(believed, &initial, smoother).map_err(Ended::Start)?;
     let arriving = measurements::of_run(scene, source, run);
     let mut vehicle = AidedVehicle::with(navigator, arriving, scene.rate_hz);
     let mut stream = source.start(run);
@@ -90,7 +94,12 @@ pub fn fly(scenes: Scenes, run: u64, stops: &[u64]) -> Result<Run, Ended> {
     if stops.next().is_some() {
         reads.push(read(&vehicle, source));
     }
-    Ok(Run { reads, report: vehicle.report(), saturated: stream.saturated() })
+    let states = vehicle.navigator().smoothed();
+    let smoothed = match smoother {
+        true => reads.iter().map(|read| smoothed(&states, read.samples, source)).collect(),
+        false => Vec::new(),
+    };
+    Ok(Run { reads, smoothed, report: vehicle.report(), saturated: stream.saturated() })
 }
 
 /// How runs are flown.
@@ -146,19 +155,40 @@ pub fn fly_range<E: From<InputError>>(
 fn read(vehicle: &AidedVehicle, source: &Source) -> Read {
     let navigator = vehicle.navigator();
     let samples = navigator.integrated();
-    let drift = drift(&navigator.solution(), &source.truth(samples));
-    let parts = [drift.position_ned, drift.velocity_ned, drift.attitude_ned];
-    let [position, velocity, attitude] = parts.map(Vector::into_array);
-    let mut error = [0.0; 9];
-    for (to, from) in error.iter_mut().zip([position, velocity, attitude].as_flattened()) {
-        *to = *from;
+    Read::new(samples, &navigator.solution(), &source.truth(samples), &navigator.covariance())
+}
+
+/// The first smoothed state that is not before so many samples.
+fn smoothed(states: &[Smoothed], samples: u64, source: &Source) -> Read {
+    match states.get(states.partition_point(|state| state.samples < samples)) {
+        Some(state) if states.first().is_some_and(|first| first.samples <= samples) => {
+            let truth = source.truth(state.samples);
+            Read { samples, ..Read::new(state.samples, &state.solution, &truth, &state.covariance) }
+        }
+        _ => Read { samples, error: [f64::NAN; 9], variance: [f64::NAN; 9], nees: [f64::NAN; 4] },
     }
-    let covariance = navigator.covariance();
-    let nees = std::array::from_fn(|group| match group {
-        0 => quadratic(&covariance, &error) / 9.0,
-        _ => three(&covariance, &error, 3 * (group - 1)) / 3.0,
-    });
-    Read { samples, error, variance: std::array::from_fn(|i| covariance[i][i]), nees }
+}
+
+impl Read {
+    fn new(
+        samples: u64,
+        computed: &Solution<f64>,
+        truth: &Solution<f64>,
+        covariance: &[[f64; 9]; 9],
+    ) -> Self {
+        let drift = drift(computed, truth);
+        let parts = [drift.position_ned, drift.velocity_ned, drift.attitude_ned];
+        let parts = parts.map(Vector::into_array);
+        let mut error = [0.0; 9];
+        for (to, from) in error.iter_mut().zip(parts.as_flattened()) {
+            *to = *from;
+        }
+        let nees = std::array::from_fn(|group| match group {
+            0 => quadratic(covariance, &error) / 9.0,
+            _ => three(covariance, &error, 3 * (group - 1)) / 3.0,
+        });
+        Self { samples, error, variance: std::array::from_fn(|i| covariance[i][i]), nees }
+    }
 }
 
 /// The form of three of the nine.
@@ -190,16 +220,30 @@ pub struct Together {
 
 /// What runs come to together at each instant, where samples come at a rate.
 pub fn together(runs: &[Run], rate_hz: f64) -> Vec<Together> {
-    let instants = runs.iter().map(|run| run.reads.len()).min().unwrap_or(0);
-    (0..instants).map(|at| at_instant(runs, at, rate_hz)).collect()
+    instants(runs, rate_hz, |run| &run.reads)
 }
 
-fn at_instant(runs: &[Run], at: usize, rate_hz: f64) -> Together {
-    let reads: Vec<&Read> = runs.iter().filter_map(|run| run.reads.get(at)).collect();
-    let n = reads.len().max(1) as f64;
+/// The same of what a smoother makes of them, at the instants that it reaches; none without one.
+pub fn smoothed_together(runs: &[Run], rate_hz: f64) -> Vec<Together> {
+    let all = instants(runs, rate_hz, |run| &run.smoothed);
+    all.into_iter().filter(|one| one.sigma[0].is_finite()).collect()
+}
+
+fn instants(runs: &[Run], rate_hz: f64, reads: fn(&Run) -> &Vec<Read>) -> Vec<Together> {
+    let instants = runs.iter().map(|run| reads(run).len()).min().unwrap_or(0);
+    let at = |at: usize| {
+        let known = runs.iter().filter_map(|run| reads(run).get(at));
+        let time_s = known.clone().next().map_or(0.0, |read| read.samples as f64 / rate_hz);
+        at_instant(time_s, &known.filter(|read| read.error[0].is_finite()).collect::<Vec<_>>())
+    };
+    (0..instants).map(at).collect()
+}
+
+fn at_instant(time_s: f64, reads: &[&Read]) -> Together {
+    let n = reads.len() as f64;
     let mean = |value: &dyn Fn(&Read) -> f64| reads.iter().map(|read| value(read)).sum::<f64>() / n;
     Together {
-        time_s: reads.first().map_or(0.0, |read| read.samples as f64 / rate_hz),
+        time_s,
         rms: std::array::from_fn(|i| mean(&|read| read.error[i].powi(2)).sqrt()),
         sigma: std::array::from_fn(|i| mean(&|read| read.variance[i]).sqrt()),
         nees: std::array::from_fn(|group| mean(&|read| read.nees[group])),

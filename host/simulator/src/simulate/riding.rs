@@ -27,14 +27,15 @@ pub struct Claims {
 impl Claims {
     /// Says what a drift is by its covariance.
     pub fn claim(&self, covariance: &[[f64; 9]; 9]) {
-        let sigma = |i: usize| covariance[i][i].max(0.0).sqrt();
-        let three = |i: usize| Vector::new(sigma(i), sigma(i + 1), sigma(i + 2));
-        self.sigma.set(nine(&Drift {
-            position_ned: three(0),
-            velocity_ned: three(3),
-            attitude_ned: three(6),
-        }));
+        self.sigma.set(sigma(covariance));
     }
+}
+
+/// Standard deviations of a drift by its covariance.
+pub fn sigma(covariance: &[[f64; 9]; 9]) -> Nine {
+    let sigma = |i: usize| covariance[i][i].max(0.0).sqrt();
+    let three = |i: usize| Vector::new(sigma(i), sigma(i + 1), sigma(i + 2));
+    nine(&Drift { position_ned: three(0), velocity_ned: three(3), attitude_ned: three(6) })
 }
 
 /// An aided navigator.

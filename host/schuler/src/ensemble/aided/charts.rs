@@ -7,8 +7,9 @@ use schuler_report::chart::{Band, Chart, Curve};
 use schuler_report::ellipse::outline;
 use schuler_report::interactive::{Interactive, Scale, Width};
 use schuler_report::layer::{Kind, Layer};
-use schuler_simulator::aided::runs::GROUPS;
+use schuler_simulator::aided::runs::{GROUPS, Together};
 use schuler_simulator::number::{Quantity, Unit};
+use schuler_simulator::quadratic::by_chance;
 use schuler_simulator::units::ARCSECOND;
 
 const INKS: [Ink; 3] = [Ink::North, Ink::East, Ink::Down];
@@ -25,10 +26,9 @@ const MOST_DOTS: usize = 2000;
 
 /// The rms of each of the nine over time beside the σ that the filters say, with the band in which 95 % of such rms
 /// lie: a row for each quantity.
-pub fn errors(findings: &Findings) -> [[Chart; 3]; 3] {
-    let instants = &findings.instants;
+pub fn errors(instants: &[Together], ended: u64) -> [[Chart; 3]; 3] {
     let (x, per_second) = Axis::time(instants.last().map_or(0.0, |at| at.time_s));
-    let [low, high] = findings.of_one;
+    let [low, high] = by_chance(ended as f64).map(f64::sqrt);
     std::array::from_fn(|group| {
         let (quantity, of, unit) = QUANTITIES[group];
         let all = instants

@@ -1,9 +1,9 @@
-//! `aided.csv`, `accuracy.csv`, `budget.csv` and `runs.csv` of aided runs. Numbers round-trip; what is not known is empty.
+//! `aided.csv`, `smoothed.csv`, `accuracy.csv`, `budget.csv` and `runs.csv` of aided runs. Numbers round-trip; what is not known is empty.
 
 use super::super::accuracy::Accuracy;
 use super::super::csv::ACCURACY;
 use super::findings::Findings;
-use schuler_simulator::aided::runs::GROUPS;
+use schuler_simulator::aided::runs::{GROUPS, Together};
 use schuler_simulator::flight::Nine;
 use schuler_simulator::number::exact;
 use schuler_simulator::output;
@@ -12,9 +12,12 @@ use schuler_simulator::units::ARCSECOND;
 /// The file of errors and claims, of circular and vertical errors, of error terms.
 pub const NAMES: [&str; 3] = ["aided.csv", "accuracy.csv", "budget.csv"];
 
+/// The same as `aided.csv` of smoothed runs.
+pub const SMOOTHED: &str = "smoothed.csv";
+
 /// All tables, in the order of [`NAMES`].
 pub fn tables(findings: &Findings) -> [Vec<u8>; 3] {
-    [errors(findings).into_bytes(), accuracy(findings), budget(findings)]
+    [errors(&findings.instants), accuracy(findings), budget(findings)]
 }
 
 fn told(x: f64) -> String {
@@ -22,7 +25,7 @@ fn told(x: f64) -> String {
 }
 
 /// Every instant: rms and σ of the nine, NEES.
-fn errors(findings: &Findings) -> String {
+pub fn errors(instants: &[Together]) -> Vec<u8> {
     let mut text = "time_s".to_owned();
     for kind in ["rms", "sigma"] {
         for name in Nine::NAMES {
@@ -33,7 +36,7 @@ fn errors(findings: &Findings) -> String {
         text += &format!(",nees_{group},nees_{group}_least,nees_{group}_most");
     }
     text.push('\n');
-    for one in &findings.instants {
+    for one in instants {
         text += &one.time_s.to_string();
         for nine in [&one.rms, &one.sigma] {
             for (i, x) in nine.iter().enumerate() {
@@ -46,7 +49,7 @@ fn errors(findings: &Findings) -> String {
         }
         text.push('\n');
     }
-    text
+    text.into_bytes()
 }
 
 /// As of an ensemble that is compared with theory, which is not known.

@@ -10,9 +10,10 @@ use super::super::statistics::{RISK, Test, Verdict, tails};
 use super::super::values::Values;
 use schuler_simulator::aided::kept::AidedRuns;
 use schuler_simulator::aided::report::Report;
-use schuler_simulator::aided::runs::{FREEDOM, GROUPS, Together, counts, together};
+use schuler_simulator::aided::runs::{
+    FREEDOM, GROUPS, Together, counts, smoothed_together, together,
+};
 use schuler_simulator::number::{parameter, rounded};
-use schuler_simulator::quadratic::by_chance;
 use schuler_simulator::units::ARCSECOND;
 
 /// What is not known of the position: theory has no say in it.
@@ -42,10 +43,10 @@ pub struct Findings {
     pub saturated: u64,
     /// Each instant; the last is the end.
     pub instants: Vec<Together>,
+    /// What smoothers make of those instants that they reach; none without.
+    pub smoothed: Vec<Together>,
     /// Circular and vertical error at each.
     pub accuracy: Vec<Accuracy>,
-    /// Where 95 % of the rms of so many runs lie by their expected value.
-    pub of_one: [f64; 2],
     /// The groups at each.
     pub consistency: Vec<Consistency>,
     /// Of all of them.
@@ -81,8 +82,8 @@ impl Findings {
         Self {
             ended,
             saturated: runs.ended.iter().map(|run| run.saturated).sum(),
+            smoothed: smoothed_together(&runs.ended, rate_hz),
             accuracy: instants.iter().zip(&values).map(accuracy).collect(),
-            of_one: by_chance(ended as f64).map(f64::sqrt),
             verdict: Verdict::of(probabilities.enumerate().map(|(place, p)| (place, 0, p))),
             instants,
             consistency,

@@ -124,7 +124,8 @@ struct Conclusion<'a> {
 impl Conclusion<'_> {
     /// The files, not yet in their places; says whose they will replace.
     fn files(&self) -> Result<Files, FlightError> {
-        let files = Files::create(&self.folder, self.extra)?;
+        let smoothed = self.ground.scene.aiding.filter.smoother;
+        let files = Files::create(&self.folder, smoothed, self.extra)?;
         let program = std::iter::once("schuler".to_owned());
         let command: Vec<_> = program.chain(command(self.whole, self.extra, self.budget)).collect();
         tell_replaced_by(&self.folder, NAME, &command);

@@ -11,6 +11,7 @@ use schuler_report::interactive::{Interactive, Width};
 use schuler_report::page::{self, panel};
 use schuler_report::svg::escape;
 use schuler_simulator::aided::report::Count;
+use schuler_simulator::aided::runs::Together;
 use schuler_simulator::number::{Quantity, parameter, rounded, short};
 
 /// The page.
@@ -44,7 +45,7 @@ pub fn svg(told: &Told, findings: &Findings) -> String {
         "rms of {runs} aided runs; the σ that filters say dashed, with the band of 95 % · seed {}",
         told.scene.seed
     );
-    plot::svg_of(&told.scene.title, &about, &charts::errors(findings))
+    plot::svg_of(&told.scene.title, &about, &charts::errors(&findings.instants, findings.ended))
 }
 
 fn headline(told: &Told, findings: &Findings) -> String {
@@ -74,13 +75,23 @@ fn errors(findings: &Findings) -> String {
     if findings.instants.is_empty() {
         return String::new();
     }
-    let charts = charts::errors(findings).into_iter().flatten();
-    let charts = charts.map(|chart| Interactive::of(chart).sharing("time"));
+    let nine = |instants: &[Together]| {
+        let charts = charts::errors(instants, findings.ended).into_iter().flatten();
+        figures::grid(charts.map(|chart| Interactive::of(chart).sharing("time")))
+    };
+    let smoothed = match findings.smoothed.is_empty() {
+        true => String::new(),
+        false => format!(
+            "<h2>Smoothed</h2>\n<p class=\"quiet\">The same of what all measurements of a run, also later ones, say of each \
+             instant.</p>\n{}",
+            nine(&findings.smoothed)
+        ),
+    };
     format!(
         "<h2>Errors, and what the filters say</h2>\n<p class=\"quiet\">Root mean square over the runs, drawn through. The \
          standard deviation that the filters say is dashed; 95 % of the rms of so many runs lie in the band about \
-         it.</p>\n{}",
-        figures::grid(charts)
+         it.</p>\n{}{smoothed}",
+        nine(&findings.instants)
     )
 }
 

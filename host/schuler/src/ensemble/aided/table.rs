@@ -14,6 +14,10 @@ const ROWS: usize = 12;
 pub fn text(findings: &Findings, sentences: &[String]) -> String {
     let instants = &findings.instants;
     let mut text = table(instants) + "\n" + &nees(instants);
+    if !findings.smoothed.is_empty() {
+        let (table, nees) = (table(&findings.smoothed), nees(&findings.smoothed));
+        text += &format!("\nsmoothed, by all measurements of each run:\n{table}\n{nees}");
+    }
     for sentence in sentences {
         text += &format!("{sentence}\n");
     }

@@ -162,6 +162,7 @@ fn arguments(folder: &Path, given: Option<&Bound<'_, PyDict>>) -> Answer<ReplayA
         out: folder.join("nav.csv"),
         reference: None,
         mcap: None,
+        svg: false,
         lag: Lag::Seconds(0.0),
         start: None,
         align: None,

@@ -69,7 +69,13 @@ fn documents_are_printed_as_they_are() {
 fn a_picture_for_documents_is_written_where_it_is_asked_for() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
+    let made = schuler(folder, "emulate drive --duration 20 --out imu.csv --truth truth.csv");
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    let replay =
+        "replay --imu imu.csv --initial initial.toml --reference truth.csv --svg --out again/";
     for (line, file) in [
+        ("hil paper --duration 5 --svg --out run-hil", "run-hil/drift.svg"),
+        (replay, "again/drift.svg"),
         ("run paper --duration 20 --svg --out run", "run/drift.svg"),
         ("ensemble paper --runs 8 --duration 60 --svg --out runs", "runs/ensemble.svg"),
         ("allan paper --duration 600 --svg --out allan", "allan/allan.svg"),
@@ -80,7 +86,7 @@ fn a_picture_for_documents_is_written_where_it_is_asked_for() {
         assert!(picture.starts_with("<svg xmlns=") && picture.ends_with("</svg>\n"), "{file}");
         assert!(picture.matches("<path").count() > 20 && !picture.contains("NaN"), "{file}");
         // Without the option an earlier one does not stay beside what is new.
-        if file.starts_with("run") {
+        if file.ends_with("drift.svg") {
             let again = schuler(folder, &line.replace(" --svg", ""));
             assert!(again.status.success() && !folder.join(file).exists(), "{line}");
         }

@@ -137,6 +137,7 @@ impl AlignArgs {
             out: self.out.clone().unwrap_or_default(),
             reference: None,
             mcap: None,
+            svg: false,
             lag: Lag::Seconds(0.0),
             start: self.from,
             align: Some(self.length.unwrap_or(DEFAULT_S)),

@@ -67,6 +67,9 @@ pub struct HilArgs {
     /// Write no report.html and no drift.png
     #[arg(long)]
     pub no_report: bool,
+    /// Write drift.svg, too: the picture of the drift for documents
+    #[arg(long)]
+    pub svg: bool,
     /// Write nav.csv and truth.csv, too: the computed and the true motion, row by row
     #[arg(long)]
     pub rows: bool,
@@ -95,7 +98,13 @@ impl HilArgs {
 
     /// What is written of it.
     pub fn wanted(&self) -> Wanted {
-        Wanted { every: self.every, report: !self.no_report, rows: self.rows, ..Wanted::default() }
+        Wanted {
+            every: self.every,
+            report: !self.no_report,
+            rows: self.rows,
+            svg: self.svg,
+            ..Wanted::default()
+        }
     }
 
     /// How it is flown.

@@ -49,6 +49,9 @@ pub struct ReplayArgs {
     /// --out, or to NAME-report beside the file NAME.csv
     #[arg(long, value_name = "FILE")]
     pub reference: Option<PathBuf>,
+    /// Write drift.svg to the report's folder, too: the picture of the drift for documents
+    #[arg(long, requires = "reference")]
+    pub svg: bool,
     /// Write ROS 2 messages, too: the rows of nav.csv as /computed (NavSatFix, PoseStamped)
     #[arg(long, value_name = "FILE")]
     pub mcap: Option<PathBuf>,
@@ -134,7 +137,7 @@ impl ReplayArgs {
         if let Some(Height::File(file)) = &self.height {
             read.push(("--height reads", file));
         }
-        let places = Places::new(&self.out, self.reference.is_some());
+        let places = Places::new(&self.out, self.reference.is_some(), self.svg);
         let mut written = vec![Written::named("--out", &places.nav)];
         written.extend(self.mcap.as_deref().map(|mcap| Written::named("--mcap", mcap)));
         for (what, path) in places.report_files() {

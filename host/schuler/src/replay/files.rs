@@ -2,10 +2,11 @@
 
 use super::comparison::{Comparison, Has};
 use super::fly::Flight;
-use super::places::{Places, REPORT};
+use super::places::{Places, REPORT, names};
 use super::summary::About;
 use super::{page, summary};
 use crate::report::files::drawn;
+use crate::report::plot;
 use crate::report::sensors::Sensors;
 use crate::report::traces::Traces;
 use schuler_simulator::flight::{Instant, Nine};
@@ -18,6 +19,7 @@ pub struct ReportFiles {
     picture: OutputFile,
     page: OutputFile,
     summary: OutputFile,
+    svg: Option<OutputFile>,
     has: Has,
 }
 
@@ -34,6 +36,7 @@ impl ReportFiles {
             picture: OutputFile::create(picture)?,
             page: OutputFile::create(page)?,
             summary: OutputFile::create(summary)?,
+            svg: places.svg.then(|| OutputFile::create(folder.join(plot::SVG))).transpose()?,
             has,
         }))
     }
@@ -54,11 +57,18 @@ impl ReportFiles {
         about: &About,
         shown: (&Traces, &Sensors),
     ) -> Result<Vec<OutputFile>, InputError> {
-        let Self { drift, mut picture, mut page, mut summary, .. } = self;
+        let Self { drift, mut picture, mut page, mut summary, svg, .. } = self;
+        let names = names(svg.is_some());
         let png = drawn(&picture, page::png(flight, comparison, about))?;
         picture.put(png)?;
         page.put(page::page(flight, comparison, about, shown))?;
-        summary.put(summary::json(flight, comparison, about, &REPORT))?;
-        Ok(vec![drift.into_file(), picture, page, summary])
+        summary.put(summary::json(flight, comparison, about, &names))?;
+        let mut files = vec![drift.into_file(), picture, page];
+        if let Some(mut svg) = svg {
+            svg.put(page::svg(flight, comparison, about))?;
+            files.push(svg);
+        }
+        files.push(summary);
+        Ok(files)
     }
 }

@@ -51,9 +51,10 @@ use summary::About;
 pub fn replay(args: &ReplayArgs) -> Result<(), FlightError> {
     args.check()?;
     let recording = Recording::open_as(&name_of(&args.imu), &args.given())?;
+    let places = Places::new(&args.out, args.reference.is_some(), args.svg);
+    let stale = places.stale();
     let Replayed { text, files, .. } = fly(args, &recording, false)?;
-    output::place(files, &[])?;
-    let places = Places::new(&args.out, args.reference.is_some());
+    output::place(files, &stale)?;
     let report = places.report.map(|folder| format!(", its report to {}", folder.display()));
     let messages = args.mcap.as_deref().map(|file| format!(", messages to {}", file.display()));
     let nav = places.nav.display();
@@ -182,7 +183,7 @@ type Fly<'a> = dyn FnMut(&Path) -> Result<(Flight, String), FlightError> + 'a;
 impl Tail<'_> {
     fn tell(&self, fly: &mut Fly<'_>) -> Result<Replayed, FlightError> {
         let Self { args, recording, survey, spans, options, shape, reference, keep } = *self;
-        let places = Places::new(&args.out, reference.is_some());
+        let places = Places::new(&args.out, reference.is_some(), args.svg);
         let has = reference.map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
         let files = has.map(|has| ReportFiles::create(&places, has));
         let mut files = files.transpose()?.flatten();

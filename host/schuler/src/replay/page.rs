@@ -52,6 +52,11 @@ pub fn png(flight: &Flight, comparison: &Comparison, about: &About) -> io::Resul
     plot::sheet(&title(about), &heading(about, flight), &charted(comparison, about))
 }
 
+/// The same for documents.
+pub fn svg(flight: &Flight, comparison: &Comparison, about: &About) -> String {
+    plot::document(&title(about), &heading(about, flight), &charted(comparison, about))
+}
+
 /// The page. Traces and sensors are over the time from the start of the flight.
 pub fn page(
     flight: &Flight,

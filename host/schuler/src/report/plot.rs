@@ -21,8 +21,13 @@ pub fn png(flight: &Flight) -> io::Result<Vec<u8>> {
 
 /// The same for documents.
 pub fn svg(flight: &Flight) -> String {
+    document(&flight.scene.title, &heading(flight), &flight.overview)
+}
+
+/// The picture of any instants for documents.
+pub fn document(title: &str, about: &str, instants: &[Instant]) -> String {
     let mut sheet = Svg::default();
-    draw(&mut sheet, &flight.scene.title, &heading(flight), &flight.overview);
+    draw(&mut sheet, title, about, instants);
     sheet.document(WIDTH, HEIGHT)
 }
 

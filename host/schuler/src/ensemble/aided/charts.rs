@@ -66,7 +66,7 @@ pub fn errors(instants: &[Together], ended: u64) -> [[Chart; 3]; 3] {
 pub fn nees(findings: &Findings) -> Vec<Interactive> {
     let instants = &findings.instants;
     let (x, per_second) = Axis::time(instants.last().map_or(0.0, |at| at.time_s));
-    let inks = [Ink::Text, Ink::North, Ink::East, Ink::Down];
+    let inks = [Ink::North, Ink::North, Ink::East, Ink::Down];
     let chart = |(group, name): (usize, &&str)| {
         let point = |value: f64, at: f64| [at * per_second, value];
         let points: Vec<_> = instants

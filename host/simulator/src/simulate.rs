@@ -211,7 +211,7 @@ impl<'a> Simulation<'a> {
             link: None,
             aligned,
             aided: claims.and_then(|claims| {
-                let smoothed = claims.smoothed.take();
+                let smoothed = claims.smoothed.borrow();
                 let truth = |samples| source.truth(samples);
                 let compared = smoother::compared(&smoothed, scene.rate_hz, truth);
                 claims.report.take().map(|report| Report { smoothed: compared, ..report })

@@ -12,12 +12,16 @@
 //! | [`vehicle`] | one run's navigator with its measurements |
 //! | [`runs`] | many runs: their errors beside what their filters say |
 //! | [`report`] | what became of them |
+//! | [`estimates`] | what the filter estimates beside the motion |
+//! | [`rows`] | states with their standard deviations, as files have them |
 
 pub mod columns;
+pub mod estimates;
 pub mod fixes;
 pub mod measurements;
 pub mod navigator;
 pub mod report;
+pub mod rows;
 pub mod runs;
 pub mod seen;
 pub mod settings;

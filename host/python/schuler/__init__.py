@@ -11,6 +11,7 @@ in its name. A sample's time is the end of its interval.
 """
 
 from schuler._schuler import (
+    Aided,
     Aligned,
     Allan,
     Emulation,
@@ -39,6 +40,7 @@ from schuler._schuler import (
 from schuler.errors import Error, FlightError, InputError
 
 __all__ = [
+    "Aided",
     "Aligned",
     "Allan",
     "Emulation",

@@ -19,6 +19,7 @@ from schuler.types import (
 )
 
 __all__ = [
+    "Aided",
     "Aligned",
     "Allan",
     "Emulation",
@@ -91,7 +92,10 @@ def replay(
     **options: Unpack[ReplayOptions],
 ) -> Replay:
     """Navigates a recording: a log of any format that the program reads, the `imu` of an emulation, or an array of
-    seven columns, time_s and increments. Warnings of the program are warnings of Python."""
+    seven columns, time_s and increments. Warnings of the program are warnings of Python.
+
+    With `gnss` it is aided: `nav` then has a row at each end of a block, with the filter's standard deviations.
+    """
 
 def ensemble(
     scene: SceneLike | None = None,
@@ -259,13 +263,17 @@ class Flight:
         """Why it ended early, if it did."""
     @property
     def drift(self) -> Table:
-        """Computed less true, what theory expects of it (`_mean`) and its standard deviation (`_sigma`)."""
+        """Computed less true, what theory expects of it (`_mean`) and its standard deviation (`_sigma`): that of the
+        filter where the scene is aided."""
     @property
     def nav(self) -> Table:
         """The computed motion: `nav.csv`."""
     @property
     def truth(self) -> Table:
         """The true motion: `truth.csv`."""
+    @property
+    def aided(self) -> Aided | None:
+        """What became of the measurements; None of a scene that has none."""
     @property
     def summary(self) -> dict[str, Any]:
         """`summary.json`, without the command line and the files."""
@@ -289,6 +297,10 @@ class Emulation:
     def truth(self) -> Table:
         """The start and a row for each sample: `truth.csv`."""
     @property
+    def gnss(self) -> dict[str, Table]:
+        """What the scene's aiding sensors deliver, in the order of arrival, by what it measures ("position-velocity"):
+        the rows of `gnss.csv`. Empty of a scene without such sensors."""
+    @property
     def initial(self) -> State:
         """Where navigation starts, off by the scene's initial error: `initial.toml`."""
     @property
@@ -301,7 +313,10 @@ class Replay:
 
     @property
     def nav(self) -> Table:
-        """A row for each sample: `nav.csv`."""
+        """A row for each sample, or with `gnss` for each block: `nav.csv`."""
+    @property
+    def aided(self) -> Aided | None:
+        """What became of the measurements; None without `gnss`."""
     @property
     def start(self) -> State:
         """As given, or as aligned."""
@@ -317,6 +332,34 @@ class Replay:
     def report(self) -> str | None:
         """`report.html`; None without a reference."""
     def _repr_html_(self) -> str: ...
+
+@final
+class Aided:
+    """What became of the measurements of an aided flight, and what its filter found."""
+
+    @property
+    def judged(self) -> dict[str, Table]:
+        """Verdicts by what was measured, as in `gnss.csv` ("position-velocity", "height"), in the order in which they
+        were made: when it was true and how old it was then, `nis` = Σ y²/α of `degrees` components, the `limit` above
+        which it is refused (1e30 while the heading is looked for), and 1 or 0 for `accepted` and `locked_out`: the
+        last of so many refusals that the filter doubts itself."""
+    @property
+    def estimates(self) -> Table:
+        """Biases of the sensors beyond what an alignment found (x, y, z: forward, right, down) and further states of
+        the filter, then the standard deviation of each (`_sigma`): a row for each of `nav`; the last alone where no
+        rows are kept."""
+    @property
+    def smoothed(self) -> Table | None:
+        """The states in the light of all measurements, since the filter last started, with standard deviations; None
+        unless that is asked for (`smooth`, or `filter.smoother` of a scene)."""
+    @property
+    def withheld(self) -> Table | None:
+        """How far off the navigator was at the last position of each span of `withhold`, what the filter and the fix
+        say of that together, and `nees` = eᵀP⁻¹e of three components."""
+    @property
+    def summary(self) -> dict[str, Any]:
+        """Counts by sensor with Σ NIS, measurements that came again, too late or found no room, when it locked out or
+        started again, and of smoothed states their errors where the truth is known."""
 
 @final
 class Ensemble:

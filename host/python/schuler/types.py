@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
 
@@ -20,6 +20,10 @@ SceneLike: TypeAlias = "str | PathLike[str] | Mapping[str, Any] | Scene"
 StateLike: TypeAlias = "State | Mapping[str, float] | str | PathLike[str]"
 #: Increments: six columns (angles in rad, velocities in m/s; forward, right, down), or the `imu` of an emulation.
 Increments: TypeAlias = "Table | npt.ArrayLike"
+#: Columns of a `gnss.csv`: what is not a number is not there.
+Columns: TypeAlias = "Table | Mapping[str, npt.ArrayLike]"
+#: A receiver's file, columns of a `gnss.csv`, or such columns by what they measure, as an emulation has them.
+Fixes: TypeAlias = "str | PathLike[str] | Columns | Mapping[str, Columns]"
 #: Three counts, or as text "2,4,2" or "auto".
 Window: TypeAlias = "str | tuple[int, int, int]"
 
@@ -101,3 +105,21 @@ class ReplayOptions(Handling, total=False):
     height: float | str | PathLike[str] | None
     #: Keep every N-th row, or a row each so many seconds, as in "10s".
     every: int | str | None
+    #: Positions and velocities that aid it: a file, the `gnss` of an emulation, or arrays.
+    gnss: Fixes | None
+    #: From the inertial unit to the antenna, forward, right, down, m.
+    lever_arm: str | tuple[float, float, float] | list[float] | None
+    #: How late the stamps of `gnss` are, s.
+    gnss_lag: float | None
+    #: How much later than the positions its velocities are, s, or "off".
+    velocity_lag: float | Literal["off"] | None
+    #: Standard deviations where it has none: positions level and down, m, velocities, m/s.
+    gnss_sigma: str | tuple[float, float, float] | list[float] | None
+    #: Smooths the flight, too.
+    smooth: bool | None
+    #: RTKLIB's time tags of the stream: a file.
+    time_tag: str | PathLike[str] | None
+    #: What the sensors are like: a scene with the sections gyro, accelerometer and filter, or those alone.
+    sensors: str | PathLike[str] | Mapping[str, Any] | None
+    #: Spans whose fixes are hidden from the navigator, from and to, s.
+    withhold: Sequence[tuple[float, float]] | None

@@ -3,7 +3,7 @@
 use crate::error::{Answer, Fault};
 use crate::log::Logs;
 use crate::notebook;
-use crate::options::Options;
+use crate::options::{self, Options};
 use crate::recorded::{Source, kept};
 use crate::scene;
 use crate::table::{Rows, Table};
@@ -14,7 +14,7 @@ use schuler_host::allan::{Axis, Findings};
 use schuler_simulator::allan::record::{SceneError, of_recording, of_scene};
 use schuler_simulator::allan::still::AXES;
 use schuler_simulator::datasheet::sections;
-use schuler_simulator::input::{InputError, Range, read_text};
+use schuler_simulator::input::{InputError, read_text};
 use schuler_simulator::recording::foreign::Given;
 use schuler_simulator::rest::units::Units;
 use schuler_simulator::scene::Scene;
@@ -99,7 +99,7 @@ pub fn allan(
             let source = Source::new(imu, &folder)?;
             let units = units.map(Units::parse).transpose();
             let units = units.map_err(|complaint| Fault::option("--units", complaint))?;
-            let span = span.map(checked).transpose()?;
+            let span = span.map(|span_s| options::span("--span", span_s)).transpose()?;
             let given = Given { units: units.unwrap_or_default(), ..Given::default() };
             py.detach(|| -> Result<_, FlightError> {
                 let recording = source.open(&given)?;
@@ -132,15 +132,6 @@ fn table(py: Python<'_>, axis: &Axis) -> PyResult<Py<Table>> {
         rows.add(&axis.beside(place, point));
     }
     rows.table(py)
-}
-
-/// From and to, s.
-fn checked([from_s, to_s]: [f64; 2]) -> Answer<[f64; 2]> {
-    let accepted = "(from, to), seconds of the recording's own time";
-    if from_s < to_s && Range::FINITE.check(from_s).and(Range::FINITE.check(to_s)).is_ok() {
-        return Ok([from_s, to_s]);
-    }
-    Err(Fault::argument("--span", "is not a span", accepted))
 }
 
 /// The sections of a scene for a data sheet: a path, a TOML text or a dict.

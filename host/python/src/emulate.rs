@@ -1,6 +1,7 @@
 //! `emulate`: the sensors' samples of a scene, the truth, and the state to start from.
 
 use crate::error::Answer;
+use crate::fixes::delivered;
 use crate::interrupt::Watch;
 use crate::scene::{self, Scene};
 use crate::state::State;
@@ -22,6 +23,8 @@ pub struct Emulation {
     imu: Py<Table>,
     /// The start and a row per sample: `truth.csv`.
     truth: Py<Table>,
+    /// What aiding sensors deliver, in the order of arrival, by what they measure: `gnss.csv`.
+    gnss: Py<PyDict>,
     /// Where navigation starts: `initial.toml`.
     initial: Py<State>,
     /// Samples lost on the link.
@@ -90,19 +93,25 @@ pub fn emulate(
         scene.accelerometer = Default::default();
     }
     let mut watch = Watch::new();
-    let (rows, initial) = py.detach(|| -> Answer<_> {
+    let (rows, delivered, initial) = py.detach(|| -> Answer<_> {
         let source = Source::new(&scene, false)?;
         let initial =
             State::start(source.time_s(0), &start::of_run(&source.initial(0), &scene, run));
-        Ok((emulated(&scene, &source, rates, run, &mut watch), initial))
+        let delivered = delivered(&scene, &source, run);
+        Ok((emulated(&scene, &source, rates, run, &mut watch), delivered, initial))
     })?;
     watch.raised()?;
     let Growing { imu, truth } = rows?;
+    let gnss = PyDict::new(py);
+    for (word, rows) in delivered {
+        gnss.set_item(word, Rows::from(rows).table(py)?)?;
+    }
     let (arrived, samples) = (imu.len() as u64, scene.samples());
     Ok(Emulation {
         scene: Py::new(py, Scene { scene })?,
         imu: imu.table(py)?,
         truth: truth.table(py)?,
+        gnss: gnss.unbind(),
         initial: Py::new(py, initial)?,
         lost: samples - arrived,
     })

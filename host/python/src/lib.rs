@@ -6,18 +6,22 @@
 //! | `scene`, `options`, `toml`, `log` | scenes: names, files, texts, dicts; what replaces their values |
 //! | `trajectory`, `navigator`, `flying`, `state` | a motion, a navigator sample by sample, where it starts and is |
 //! | `steps` | every step of a navigator, in bits |
-//! | `table`, `arrays`, `recorded` | numbers by rows and columns, samples in arrays, a recorded stream |
+//! | `table`, `arrays`, `recorded`, `fixes` | numbers by rows and columns, samples in arrays, a recorded stream, what aids it |
+//! | `aiding`, `aided` | options about measurements, and what becomes of those |
 //! | `error`, `interrupt`, `notebook` | exceptions, Ctrl-C, pages in a notebook |
 //!
 //! The interpreter is released while anything is flown, and no state is shared between calls.
 #![cfg(feature = "module")]
 
+mod aided;
+mod aiding;
 mod align;
 mod allan;
 mod arrays;
 mod emulate;
 mod ensemble;
 mod error;
+mod fixes;
 mod flying;
 mod interrupt;
 mod log;
@@ -41,6 +45,8 @@ use pyo3::prelude::*;
 mod _schuler {
     use super::*;
 
+    #[pymodule_export]
+    use super::aided::Aided;
     #[pymodule_export]
     use super::align::{Aligned, align};
     #[pymodule_export]

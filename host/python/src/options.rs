@@ -81,7 +81,7 @@ impl Options {
 }
 
 /// The option as the command line calls it.
-fn dashed(name: &str) -> String {
+pub fn dashed(name: &str) -> String {
     format!("--{}", name.replace('_', "-"))
 }
 
@@ -136,4 +136,23 @@ pub fn every(value: Option<&Bound<'_, PyAny>>) -> Answer<Option<Every>> {
     let text = value.str()?.to_string();
     let every = Every::parse(&text).map_err(|complaint| Fault::option("--every", complaint))?;
     Ok(Some(every))
+}
+
+/// A span of a recording: from and to, s.
+pub fn span(option: &str, [from_s, to_s]: [f64; 2]) -> Answer<[f64; 2]> {
+    let accepted = "(from, to), seconds of the recording's own time, from before to";
+    if from_s < to_s && Range::FINITE.check(from_s).and(Range::FINITE.check(to_s)).is_ok() {
+        return Ok([from_s, to_s]);
+    }
+    Err(Fault::argument(option, "is not a span", accepted))
+}
+
+/// Words with commas between, given so or as a list.
+pub fn words(value: &Bound<'_, PyAny>) -> Answer<String> {
+    if let Ok(text) = value.extract::<String>() {
+        return Ok(text);
+    }
+    let words: Result<Vec<String>, PyErr> =
+        value.try_iter()?.map(|word| Ok(word?.str()?.to_string())).collect();
+    Ok(words?.join(","))
 }

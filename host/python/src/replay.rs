@@ -1,24 +1,25 @@
 //! `replay`: navigates a recorded stream, a file or an array.
 
+use crate::aided::{Aided, Left};
+use crate::aiding::Aiding;
 use crate::align::warned;
 use crate::error::{Answer, Fault};
 use crate::notebook;
-use crate::options::{self, OF_HANDLING, Options};
+use crate::options::{self, OF_HANDLING, Options, words};
 use crate::recorded::{Source, kept};
 use crate::state::State;
 use crate::table::{Rows, Table};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use schuler_host::cli::{AidingOptions, Height, Lag, ReplayArgs};
-use schuler_host::replay::{Replayed, fly};
+use schuler_host::cli::{Height, Lag, ReplayArgs};
+use schuler_host::replay::{Kept, Replayed, fly};
 use schuler_simulator::input::Range;
 use schuler_simulator::output::heard::overheard;
 use schuler_simulator::recording::foreign::Columns;
 use schuler_simulator::recording::mounting::Mounting;
-use schuler_simulator::recording::navigation::COLUMNS;
 use schuler_simulator::rest::units::Units;
 use schuler_simulator::simulate::FlightError;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use tempfile::TempDir;
 
 /// A recording that was navigated.
@@ -30,6 +31,7 @@ pub struct Replay {
     text: String,
     window: Option<(usize, usize, usize)>,
     report: Option<[String; 2]>,
+    aided: Option<Py<Aided>>,
 }
 
 #[pymethods]
@@ -44,6 +46,12 @@ impl Replay {
     #[getter]
     fn start(&self, py: Python<'_>) -> Py<State> {
         self.start.clone_ref(py)
+    }
+
+    /// What became of the measurements; `None` without `gnss`.
+    #[getter]
+    fn aided(&self, py: Python<'_>) -> Option<Py<Aided>> {
+        self.aided.as_ref().map(|aided| aided.clone_ref(py))
     }
 
     #[getter]
@@ -114,23 +122,35 @@ pub fn replay(
     options: Option<&Bound<'_, PyDict>>,
 ) -> Answer<Replay> {
     let folder = tempfile::tempdir().map_err(|error| kept(&error))?;
-    let mut args = arguments(folder.path(), options)?;
+    let (mut args, aiding) = arguments(py, &folder, options)?;
     args.initial = initial.map(|given| start(given, &folder)).transpose()?;
     let recorded = Source::new(imu, &folder)?;
     args.imu = recorded.path().to_owned();
     let (replayed, heard) = py.detach(|| overheard(|| flown(&args, &recorded)));
     let said = warned(py, heard)?;
-    let Replayed { text, start, digest, window, rows, report, .. } = replayed?;
-    let mut nav = Rows::new(&COLUMNS, rows.len() as u64);
-    rows.iter().for_each(|row| nav.add(&row.columns()));
+    let replayed = replayed.map_err(|error| match error {
+        FlightError::Input(error) => FlightError::Input(aiding.told(error)),
+        FlightError::Stopped(error) => FlightError::Stopped(aiding.told(error)),
+        other => other,
+    })?;
+    let Replayed { text, start, digest, window, rows, aided, report, .. } = replayed;
+    let aided = aided.map(|kept| Aided::new(py, left(kept)));
     Ok(Replay {
-        nav: nav.table(py)?,
+        nav: Rows::from(rows).table(py)?,
         start: Py::new(py, State::start(start.0, &start.1))?,
         digest: format!("{digest:016x}"),
-        text: said + &text,
+        text: aiding.named(&(said + &text)),
         window: window.map(|window| (window.history, window.block, window.lookahead)),
         report,
+        aided: aided.transpose()?,
     })
+}
+
+/// What is left of an aided flight; nothing of spans where none was withheld.
+fn left(kept: Kept) -> Left {
+    let Kept { report, judged, estimates, smoothed, withheld } = kept;
+    let withheld = (!withheld.is_empty()).then_some(withheld);
+    Left { report, judged, estimates, smoothed, withheld }
 }
 
 fn flown(args: &ReplayArgs, source: &Source) -> Result<Replayed, FlightError> {
@@ -151,15 +171,22 @@ fn start(given: &Bound<'_, PyAny>, folder: &TempDir) -> Answer<PathBuf> {
 }
 
 /// The options of the command line.
-fn arguments(folder: &Path, given: Option<&Bound<'_, PyDict>>) -> Answer<ReplayArgs> {
+fn arguments(
+    py: Python<'_>,
+    folder: &TempDir,
+    given: Option<&Bound<'_, PyDict>>,
+) -> Answer<(ReplayArgs, Aiding)> {
+    let none = PyDict::new(py);
+    let others = given.unwrap_or(&none).copy()?;
+    let aiding = Aiding::take(&others, folder)?;
     let mut args = ReplayArgs {
-        aiding: AidingOptions::default(),
+        aiding: aiding.options.clone(),
         imu: PathBuf::new(),
         map: None,
         columns: None,
         axes: None,
         initial: None,
-        out: folder.join("nav.csv"),
+        out: folder.path().join("nav.csv"),
         reference: None,
         mcap: None,
         svg: false,
@@ -176,10 +203,8 @@ fn arguments(folder: &Path, given: Option<&Bound<'_, PyDict>>) -> Answer<ReplayA
         every: None,
         navigator: Default::default(),
     };
-    let Some(given) = given else { return Ok(args) };
-    let others = given.copy()?;
     for name in OWN {
-        if let Some(value) = given.get_item(name)? {
+        if let Some(value) = others.get_item(name)? {
             others.del_item(name)?;
             if !value.is_none() {
                 set(&mut args, name, &value)?;
@@ -199,7 +224,7 @@ fn arguments(folder: &Path, given: Option<&Bound<'_, PyDict>>) -> Answer<ReplayA
     }
     let others = Options::among(OF_HANDLING, Some(&others))?;
     (args.navigator, args.handling) = (others.navigator, others.handling);
-    Ok(args)
+    Ok((args, aiding))
 }
 
 fn set(args: &mut ReplayArgs, name: &str, value: &Bound<'_, PyAny>) -> Answer<()> {
@@ -228,14 +253,4 @@ fn set(args: &mut ReplayArgs, name: &str, value: &Bound<'_, PyAny>) -> Answer<()
         _ => args.every = options::every(Some(value))?,
     }
     Ok(())
-}
-
-/// Words with commas between, given so or as a list.
-fn words(value: &Bound<'_, PyAny>) -> Answer<String> {
-    if let Ok(text) = value.extract::<String>() {
-        return Ok(text);
-    }
-    let words: Result<Vec<String>, PyErr> =
-        value.try_iter()?.map(|word| Ok(word?.str()?.to_string())).collect();
-    Ok(words?.join(","))
 }

@@ -1,5 +1,6 @@
 //! `run`: a flight from start to end, beside truth and theory.
 
+use crate::aided::{Aided, Left};
 use crate::error::{Answer, Fault};
 use crate::interrupt::Watch;
 use crate::notebook;
@@ -16,10 +17,13 @@ use schuler_host::report::sensors::Sensors;
 use schuler_host::report::thinned::Thinned;
 use schuler_host::report::traces::Traces;
 use schuler_host::report::{plot, summary};
+use schuler_simulator::aided::rows;
 use schuler_simulator::flight::{self, Instant, Nine};
+use schuler_simulator::output::NumberRows;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
 use schuler_simulator::scene::Scene as Flown;
-use schuler_simulator::simulate::{FlightError, Simulation};
+use schuler_simulator::simulate::{Claims, FlightError, Simulation};
+use std::sync::OnceLock;
 
 /// A flight: what it leaves, its rows as tables.
 #[pyclass(frozen, module = "schuler")]
@@ -30,6 +34,10 @@ pub struct Flight {
     traces: Traces,
     /// The number of the run, whose sensors the page shows.
     run: u64,
+    /// What became of the measurements.
+    aided: Option<Py<Aided>>,
+    /// The page, once it was asked for.
+    page: OnceLock<String>,
 }
 
 /// Drift beside theory, computed and true motion.
@@ -44,6 +52,7 @@ struct Growing {
     drift: Rows,
     nav: Rows,
     truth: Rows,
+    estimates: NumberRows,
     kept: Thinned,
 }
 
@@ -62,17 +71,18 @@ impl Growing {
             drift: Rows::new(&names, rows),
             nav: Rows::new(&COLUMNS, rows),
             truth: Rows::new(&COLUMNS, rows),
+            estimates: NumberRows::default(),
             kept: Thinned::new(every, 0.0),
         }
     }
 
-    fn row(&mut self, instant: &Instant) {
+    fn row(&mut self, instant: &Instant, claims: Option<&Claims>) {
         if self.kept.keeps(instant) {
-            self.add(instant);
+            self.add(instant, claims);
         }
     }
 
-    fn add(&mut self, instant: &Instant) {
+    fn add(&mut self, instant: &Instant, claims: Option<&Claims>) {
         let Instant { time_s, drift, mean, sigma, computed, truth, .. } = instant;
         self.drift.add(&[*time_s]);
         for nine in [drift, mean, sigma] {
@@ -80,19 +90,36 @@ impl Growing {
         }
         self.nav.add(&NavigationRow::new(*time_s, computed).columns());
         self.truth.add(&NavigationRow::new(*time_s, truth).columns());
+        if let Some(claims) = claims {
+            estimated(&mut self.estimates, *time_s, claims);
+        }
     }
 
-    fn tables(mut self, py: Python<'_>) -> PyResult<Tables> {
+    /// The last row, if it is none yet: nothing comes after it.
+    fn end(&mut self, claims: Option<&Claims>) {
         if let Some(last) = self.kept.last() {
-            self.add(&last);
+            self.add(&last, claims);
         }
+    }
+
+    fn tables(self, py: Python<'_>) -> PyResult<Tables> {
         let Self { drift, nav, truth, .. } = self;
         Ok(Tables { drift: drift.table(py)?, nav: nav.table(py)?, truth: truth.table(py)? })
     }
 }
 
-/// What was flown, and what ended it early.
-type End = (flight::Flight, Result<(), FlightError>);
+/// What a filter estimates beside the motion, at a time, s.
+fn estimated(rows: &mut NumberRows, time_s: f64, claims: &Claims) {
+    if rows.names.is_empty() {
+        rows.names.push("time_s".to_owned());
+        rows.names.extend(claims.estimated.borrow().iter().cloned());
+    }
+    rows.add(&[time_s]);
+    rows.add(&claims.estimates.borrow());
+}
+
+/// What was flown, what is left if it was aided, and what ended it early.
+type End = (flight::Flight, Option<Left>, Result<(), FlightError>);
 
 /// Flies a scene as far as it goes.
 fn fly(
@@ -102,14 +129,36 @@ fn fly(
     (rows, traces): (&mut Option<Growing>, &mut Traces),
     watch: &mut Watch,
 ) -> Result<End, FlightError> {
+    let simulation = Simulation::of_run(scene, force_all, run)?;
+    let claims = simulation.claims();
     let mut observe = |instant: &Instant| {
         traces.row(instant);
         if let Some(rows) = rows {
-            rows.row(instant);
+            rows.row(instant, claims.as_ref());
         }
         watch.look()
     };
-    Simulation::of_run(scene, force_all, run)?.fly_as_far(&mut observe, &|_| {})
+    let (flight, end) = simulation.fly_as_far(&mut observe, &|_| {})?;
+    if let Some(rows) = rows {
+        rows.end(claims.as_ref());
+    }
+    let left = claims.zip(flight.aided.clone()).map(|(claims, report)| {
+        let mut estimates = match rows {
+            Some(rows) => std::mem::take(&mut rows.estimates),
+            None => NumberRows::default(),
+        };
+        if estimates.is_empty() {
+            estimated(&mut estimates, flight.last.time_s, &claims);
+        }
+        let states = claims.smoothed.take();
+        let smoothed = scene
+            .aiding
+            .filter
+            .smoother
+            .then(|| rows::smoothed(&states, |samples| samples as f64 / scene.rate_hz));
+        Left { report, judged: claims.judged.take(), estimates, smoothed, withheld: None }
+    });
+    Ok((flight, left, end))
 }
 
 /// Flies a scene, and compares its navigation with truth and theory.
@@ -133,9 +182,10 @@ pub fn run(
         (end, rows, traces, watch)
     });
     watch.raised()?;
-    let (flight, end) = end?;
+    let (flight, left, end) = end?;
+    let aided = left.map(|left| Aided::new(py, left)).transpose()?;
     let tables = rows.map(|rows| rows.tables(py)).transpose()?;
-    let flown = Flight { flight, tables, traces, run };
+    let flown = Flight { flight, tables, traces, run, aided, page: OnceLock::new() };
     match end {
         Ok(()) => Ok(flown),
         Err(error) => {
@@ -194,20 +244,27 @@ impl Flight {
         Ok(self.tables()?.truth.clone_ref(py))
     }
 
+    /// What became of the measurements that aided it, if any.
+    #[getter]
+    fn aided(&self, py: Python<'_>) -> Option<Py<Aided>> {
+        self.aided.as_ref().map(|aided| aided.clone_ref(py))
+    }
+
     /// `summary.json` as a dict, without the command line and the files that there are none of.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         notebook::summary(py, &summary::json(&self.flight, &[], None))
     }
 
-    /// `report.html`.
-    fn report(&self, py: Python<'_>) -> String {
-        py.detach(|| {
+    /// `report.html`. The sensors' samples are drawn once more for it, the first time.
+    fn report(&self, py: Python<'_>) -> &str {
+        let page = || {
             let sensors = Sensors::of(&self.flight, self.run).ok();
             let covariance_m2 = end_covariance(&self.flight);
             let traces = self.traces.clone();
             html::page(&self.flight, &Shown { traces, sensors, covariance_m2, lockstep: None })
-        })
+        };
+        py.detach(|| self.page.get_or_init(page))
     }
 
     /// `drift.png`.
@@ -229,6 +286,6 @@ impl Flight {
     }
 
     fn _repr_html_(&self, py: Python<'_>) -> String {
-        notebook::framed(&self.report(py))
+        notebook::framed(self.report(py))
     }
 }

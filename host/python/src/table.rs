@@ -8,6 +8,7 @@ use pyo3::types::{PyDict, PyIterator, PyTuple};
 use schuler_report::page::panel;
 use schuler_simulator::input::document::did_you_mean;
 use schuler_simulator::number::parameter;
+use schuler_simulator::output::NumberRows;
 
 /// Rows being gathered, without the interpreter.
 #[derive(Clone, Debug)]
@@ -47,6 +48,12 @@ impl Rows {
     }
 }
 
+impl From<NumberRows> for Rows {
+    fn from(NumberRows { names, numbers }: NumberRows) -> Self {
+        Self { names, numbers }
+    }
+}
+
 /// A table of numbers.
 #[pyclass(frozen, mapping, module = "schuler")]
 pub struct Table {
@@ -55,6 +62,11 @@ pub struct Table {
 }
 
 impl Table {
+    /// The names of its columns.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
     /// The numbers, if the columns are these.
     pub fn with_columns(&self, names: &[&str]) -> Option<&Py<PyArray2<f64>>> {
         self.names.iter().eq(names).then_some(&self.array)

@@ -86,10 +86,9 @@ fn gnss(path: &Path, scene: &Scene, source: &Source, run: u64) -> Result<OutputF
         return Err(InputError::option("--gnss", Complaint::new(what, accepted)).into());
     }
     let mut writer = MeasurementWriter::create(path)?;
-    for (arrives_s, measured) in measurements::of_run(scene, source, run) {
-        let time_s = (measured.at.samples as f64 + measured.at.part) / scene.rate_hz;
-        // What arrives in time arrives then to the last bit.
-        writer.row(time_s, arrives_s.max(time_s), &measured)?;
+    for measured in measurements::of_run(scene, source, run) {
+        let [time_s, arrives_s] = measurements::times_s(&measured, scene.rate_hz);
+        writer.row(time_s, arrives_s, &measured.1)?;
     }
     Ok(writer.into_file())
 }

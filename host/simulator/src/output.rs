@@ -7,6 +7,7 @@
 //! | `growing` | a file that grows by whole pieces |
 //! | `way` | the folders of its path |
 //! | `table` | CSV files |
+//! | `rows` | the same in memory |
 //! | `stop` | what is removed when the program is told to stop |
 //! | [`heard`] | what is said while somebody listens |
 //! | [`wrap`] | sentences that fit the terminal |
@@ -15,6 +16,7 @@ mod aside;
 mod file;
 mod growing;
 pub mod heard;
+mod rows;
 pub mod stop;
 mod table;
 mod way;
@@ -22,6 +24,7 @@ pub mod wrap;
 
 pub use file::{OutputFile, place};
 pub use growing::GrowingFile;
+pub use rows::NumberRows;
 pub use table::{NumberTable, csv};
 
 use crate::input::{Complaint, InputError};

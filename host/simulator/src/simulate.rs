@@ -190,7 +190,6 @@ impl<'a> Simulation<'a> {
             planned_duration_s: scene.duration_s,
         });
 
-        let smoothed = claims.as_ref().map(|claims| claims.smoothed.take()).unwrap_or_default();
         let flight = Flight {
             scene: scene.clone(),
             samples: flown.get(),
@@ -211,12 +210,16 @@ impl<'a> Simulation<'a> {
             outside,
             link: None,
             aligned,
+            smoothed: claims.as_ref().map_or(Vec::new(), |claims| {
+                let states = claims.smoothed.borrow();
+                states.iter().map(|state| smoothed_instant(&source, state)).collect()
+            }),
             aided: claims.and_then(|claims| {
+                let smoothed = claims.smoothed.borrow();
                 let truth = |samples| source.truth(samples);
                 let compared = smoother::compared(&smoothed, scene.rate_hz, truth);
                 claims.report.take().map(|report| Report { smoothed: compared, ..report })
             }),
-            smoothed: smoothed.iter().map(|one| smoothed_instant(&source, one)).collect(),
         };
         Ok((flight, end.map_or(Ok(()), |(_, error)| Err(error))))
     }

@@ -85,3 +85,10 @@ pub trait Frame: Copy + Send + Plausible {
     /// The present solution.
     fn output(&self) -> Self::Output;
 }
+
+/// A state that is to be restored.
+#[doc(hidden)]
+pub trait Blank {
+    /// All its numbers are 0.
+    fn blank() -> Self;
+}

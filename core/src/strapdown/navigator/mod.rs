@@ -59,7 +59,7 @@ use crate::strapdown::block::body::BodyMotion;
 use crate::strapdown::block::intervals::Intervals as _;
 use crate::strapdown::block::newton::Edges;
 use crate::strapdown::block::window::Window;
-use crate::strapdown::frame::Frame;
+use crate::strapdown::frame::{Blank, Frame};
 use crate::strapdown::gate::{Gate, admit_start, interval_of};
 use crate::strapdown::limits::{Limits, Rejected, StartError};
 use crate::strapdown::navigator::rows::{Blocks, Every, Unread};
@@ -87,6 +87,25 @@ pub struct State<F: Frame, W: Window> {
 }
 
 impl<F: Frame, W: Window> State<F, W> {
+    /// A state to be restored.
+    #[doc(hidden)]
+    pub fn blank() -> Self
+    where
+        F: Blank,
+    {
+        Self::of(F::blank())
+    }
+
+    /// Before the first sample.
+    fn of(frame: F) -> Self {
+        Self {
+            frame,
+            samples: W::samples(Increment::ZERO),
+            progress: Progress::none(),
+            intervals: W::Intervals::nominal(),
+        }
+    }
+
     /// Navigation at the end of the last block.
     pub fn output(&self) -> F::Output {
         self.frame.output()
@@ -169,12 +188,7 @@ impl<R: Real, F: Frame<Real = R>, W: Window> Strapdown<F, W> {
         let initial = admit_start(initial)?;
         let frame = F::start(&initial);
         frame.check_place()?;
-        Ok(State {
-            frame,
-            samples: W::samples(Increment::ZERO),
-            progress: Progress::none(),
-            intervals: W::Intervals::nominal(),
-        })
+        Ok(State::of(frame))
     }
 
     /// Takes a sample; the state moves on whenever a block is complete.

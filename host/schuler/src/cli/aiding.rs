@@ -6,6 +6,9 @@ use schuler_simulator::aided::fixes::{Assumed, Velocities};
 use schuler_simulator::input::{Complaint, Range};
 use std::path::PathBuf;
 
+/// How late a receiver's stamps may be, s.
+pub const GNSS_LAG_S: Range = Range::from_to(-1e10, 1e10, "seconds");
+
 /// What aids the navigation of a recording.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
 pub struct AidingOptions {
@@ -14,17 +17,17 @@ pub struct AidingOptions {
     #[arg(long, value_name = "FILE")]
     pub gnss: Option<PathBuf>,
     /// From the inertial unit to the antenna, metres [default: that of --sensors, or 0,0,0]
-    #[arg(long, value_name = "F,R,D", requires = "gnss", allow_negative_numbers = true, value_parser = lever)]
+    #[arg(long, value_name = "F,R,D", requires = "gnss", allow_negative_numbers = true, value_parser = LeverArm::parse)]
     pub lever_arm: Option<LeverArm>,
     /// How late the stamps of --gnss are, seconds
     #[arg(long, value_name = "S", requires = "gnss", default_value = "0", allow_negative_numbers = true, value_parser = lag)]
     pub gnss_lag: f64,
     /// How much later than the positions the velocities of --gnss are, seconds (0.125 of a receiver that tells the
     /// mean over its 0.25 s); or "off", which leaves them out
-    #[arg(long, value_name = "S", requires = "gnss", default_value = "0", allow_negative_numbers = true, value_parser = velocities)]
+    #[arg(long, value_name = "S", requires = "gnss", default_value = "0", allow_negative_numbers = true, value_parser = VelocityLag::parse)]
     pub velocity_lag: VelocityLag,
     /// Standard deviations where the file has none: positions level and down, m, velocities, m/s
-    #[arg(long, value_name = "L,D,V", requires = "gnss", default_value = "3,5,0.3", value_parser = assumed)]
+    #[arg(long, value_name = "L,D,V", requires = "gnss", default_value = "3,5,0.3", value_parser = Sigmas::parse)]
     pub gnss_sigma: Sigmas,
     /// Smooths the flight, too: what all fixes together say of every instant, with its standard deviations, goes to this
     /// file
@@ -51,6 +54,26 @@ pub struct LeverArm(pub [f64; 3]);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VelocityLag(pub Velocities);
 
+impl LeverArm {
+    /// From `F,R,D`.
+    pub fn parse(text: &str) -> Result<Self, Complaint> {
+        let range = Range::from_to(-50.0, 50.0, "");
+        three(text, &range, "forward,right,down in metres, each from -50 to 50").map(Self)
+    }
+}
+
+impl VelocityLag {
+    /// From seconds or `off`.
+    pub fn parse(text: &str) -> Result<Self, Complaint> {
+        let range = Range::from_to(-10.0, 10.0, "seconds, or off");
+        let velocities = match text {
+            "off" => Velocities::Unused,
+            _ => Velocities::Late(options::number(text, &range)?),
+        };
+        Ok(Self(velocities))
+    }
+}
+
 impl Default for VelocityLag {
     fn default() -> Self {
         Self(Velocities::Late(0.0))
@@ -60,6 +83,16 @@ impl Default for VelocityLag {
 /// The value of `--gnss-sigma`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sigmas(pub Assumed);
+
+impl Sigmas {
+    /// From `L,D,V`.
+    pub fn parse(text: &str) -> Result<Self, Complaint> {
+        let range = Range::above(0.0, 1e6, "");
+        let accepted = "level,down,velocity in m, m and m/s, each above 0";
+        let [level_m, down_m, velocity_m_s] = three(text, &range, accepted)?;
+        Ok(Self(Assumed { level_m, down_m, velocity_m_s }))
+    }
+}
 
 impl Default for Sigmas {
     fn default() -> Self {
@@ -76,29 +109,6 @@ fn three(text: &str, range: &Range, accepted: &'static str) -> Result<[f64; 3], 
     Ok([of(a)?, of(b)?, of(c)?])
 }
 
-fn lever(text: &str) -> Result<LeverArm, Complaint> {
-    let range = Range::from_to(-50.0, 50.0, "");
-    three(text, &range, "forward,right,down in metres, each from -50 to 50").map(LeverArm)
-}
-
 fn lag(text: &str) -> Result<f64, Complaint> {
-    options::number(text, &Range::from_to(-1e10, 1e10, "seconds"))
-}
-
-fn velocities(text: &str) -> Result<VelocityLag, Complaint> {
-    let velocities = match text {
-        "off" => Velocities::Unused,
-        _ => Velocities::Late(options::number(
-            text,
-            &Range::from_to(-10.0, 10.0, "seconds, or off"),
-        )?),
-    };
-    Ok(VelocityLag(velocities))
-}
-
-fn assumed(text: &str) -> Result<Sigmas, Complaint> {
-    let range = Range::above(0.0, 1e6, "");
-    let accepted = "level,down,velocity in m, m and m/s, each above 0";
-    let [level_m, down_m, velocity_m_s] = three(text, &range, accepted)?;
-    Ok(Sigmas(Assumed { level_m, down_m, velocity_m_s }))
+    options::number(text, &GNSS_LAG_S)
 }

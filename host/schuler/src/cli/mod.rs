@@ -14,7 +14,7 @@ mod scenes;
 mod start;
 
 pub use crate::report::every::Every;
-pub use aiding::{AidingOptions, LeverArm, Sigmas};
+pub use aiding::{AidingOptions, GNSS_LAG_S, LeverArm, Sigmas, VelocityLag};
 pub use align::{AlignArgs, Method};
 pub use allan::{AllanArgs, DatasheetArgs, Span};
 pub use audit::{AuditCommand, CompareArgs, RecordArgs, SensitivityArgs, VerifyArgs};

@@ -1,5 +1,6 @@
 //! The flight through a recording, by inertia alone.
 
+use super::aided::kept::Kept;
 use super::along::{Flies, Flown, along};
 use super::biases::Biases;
 pub use super::bridged::Bridged;
@@ -12,7 +13,7 @@ use schuler::solution::Solution;
 use schuler_simulator::high::Neglected;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator::{self, Navigate, Unavailable};
-use schuler_simulator::output::{OutputFile, large_table};
+use schuler_simulator::output::{NumberRows, OutputFile, large_table};
 use schuler_simulator::recording::clock::Clock;
 use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
@@ -46,7 +47,9 @@ pub struct Flight {
     /// Every row, where they are to be compared.
     pub track: Option<Track>,
     /// The rows of `nav.csv`, where they are wanted.
-    pub rows: Vec<NavigationRow>,
+    pub rows: NumberRows,
+    /// What an aided flight leaves beside them, where that is wanted.
+    pub aided: Option<Kept>,
 }
 
 /// What a flight is flown by.
@@ -137,9 +140,20 @@ impl<'a> Flying<'a> {
         let Finished { files: nav, track, kept: rows } = rows.finish()?;
         let (bridged, outside) = (Bridged::default(), (0, None));
         let digest = navigator.digest();
-        let flown =
-            Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };
-        Ok(flown)
+        let aided = None;
+        Ok(Flight {
+            start,
+            last,
+            bridged,
+            outside,
+            neglected,
+            samples,
+            digest,
+            nav,
+            track,
+            rows,
+            aided,
+        })
     }
 }
 

@@ -17,6 +17,8 @@ pub(crate) mod spans;
 mod summary;
 mod table;
 
+pub use aided::kept::Kept;
+
 use crate::cli::{Height, ReplayArgs};
 use crate::report::sensors::Sensors;
 use crate::report::traces::Traces;
@@ -31,7 +33,7 @@ use schuler_simulator::flight::Instant;
 use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::number::parameter;
-use schuler_simulator::output::{self, OutputFile, say};
+use schuler_simulator::output::{self, NumberRows, OutputFile, say};
 use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::NavigationRow;
 use schuler_simulator::recording::reference::Reference;
@@ -74,7 +76,9 @@ pub struct Replayed {
     /// The window.
     pub window: Option<WindowShape>,
     /// The rows of `nav.csv`, where they are wanted.
-    pub rows: Vec<NavigationRow>,
+    pub rows: NumberRows,
+    /// What an aided flight leaves beside them, where that is wanted.
+    pub aided: Option<Kept>,
     /// `summary.json` and `report.html`, where it is compared and its rows are wanted.
     pub report: Option<[String; 2]>,
     /// Every file, not in its place yet.
@@ -212,8 +216,8 @@ impl Tail<'_> {
         }
         let start = (spans.navigate_s, flight.start);
         let files = flight.nav.into_iter().chain(filled).collect();
-        let (digest, rows) = (flight.digest, flight.rows);
-        Ok(Replayed { text, start, digest, window: None, rows, report, files })
+        let Flight { digest, rows, aided, .. } = flight;
+        Ok(Replayed { text, start, digest, window: None, rows, aided, report, files })
     }
 }
 

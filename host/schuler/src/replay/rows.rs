@@ -5,8 +5,8 @@ use schuler::solution::Solution;
 use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::high::Highest;
 use schuler_simulator::input::InputError;
-use schuler_simulator::output::OutputFile;
-use schuler_simulator::recording::navigation::{NavigationRow, NavigationWriter};
+use schuler_simulator::output::{NumberRows, OutputFile};
+use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow, NavigationWriter};
 use schuler_simulator::recording::track::Track;
 use std::collections::VecDeque;
 use std::path::Path;
@@ -24,7 +24,7 @@ pub struct Rows {
     pub last: (f64, Solution<f64>),
     last_is_written: bool,
     /// The rows that are written, where they are wanted.
-    kept: Option<Vec<NavigationRow>>,
+    kept: Option<NumberRows>,
     /// The place farthest from the ellipsoid.
     pub highest: Highest,
     written: Result<(), InputError>,
@@ -37,7 +37,7 @@ pub struct Finished {
     /// Every row, where they are to be compared.
     pub track: Option<Track>,
     /// The rows that are written, where they are wanted.
-    pub kept: Vec<NavigationRow>,
+    pub kept: NumberRows,
 }
 
 impl Rows {
@@ -62,7 +62,7 @@ impl Rows {
             track,
             last: start,
             last_is_written: true,
-            kept: is_kept.then(Vec::new),
+            kept: is_kept.then(|| NumberRows::new(&COLUMNS)),
             highest: Highest::default(),
             written: Ok(()),
         })
@@ -92,7 +92,7 @@ impl Rows {
             let (time_s, row) = &self.last;
             let numbers = NavigationRow::new(*time_s, row);
             if let Some(kept) = &mut self.kept {
-                kept.push(numbers);
+                kept.add(&numbers.columns());
             }
             self.written = self.writer.row(&numbers).and_then(|()| {
                 let messages = self.messages.as_mut();

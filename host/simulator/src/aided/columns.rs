@@ -57,6 +57,36 @@ pub const KINDS: [(&str, Kind, &[usize]); 7] = [
     ("non-holonomic", Kind::NonHolonomic, &[16]),
 ];
 
+/// The numbers of a measurement that is true at a time and arrives at another, s; of those that its kind does not have,
+/// none counts.
+pub fn numbers(time_s: f64, arrives_s: f64, measured: &Measured<f64>) -> [f64; COLUMNS.len()] {
+    let whole = |pair: Pair<f64>| pair.hi + pair.lo;
+    let position = measured.position.map(whole);
+    let [north, east, down] = measured.velocity.into_array();
+    let [n, e, d] = measured.position_sigma.into_array();
+    let [vn, ve, vd] = measured.velocity_sigma.into_array();
+    let along = if measured.kind == Kind::Speed { vn } else { vd };
+    [
+        time_s,
+        arrives_s,
+        0.0,
+        position.latitude / DEGREE,
+        position.longitude / DEGREE,
+        position.altitude,
+        north,
+        east,
+        down,
+        north,
+        n,
+        e,
+        d,
+        vn,
+        ve,
+        vd,
+        along,
+    ]
+}
+
 /// Writes measurements, each with the digits that bring back its bits.
 #[derive(Debug)]
 pub struct MeasurementWriter {
@@ -78,31 +108,7 @@ impl MeasurementWriter {
         arrives_s: f64,
         measured: &Measured<f64>,
     ) -> Result<(), InputError> {
-        let whole = |pair: Pair<f64>| pair.hi + pair.lo;
-        let position = measured.position.map(whole);
-        let [north, east, down] = measured.velocity.into_array();
-        let [n, e, d] = measured.position_sigma.into_array();
-        let [vn, ve, vd] = measured.velocity_sigma.into_array();
-        let along = if measured.kind == Kind::Speed { vn } else { vd };
-        let numbers = [
-            time_s,
-            arrives_s,
-            0.0,
-            position.latitude / DEGREE,
-            position.longitude / DEGREE,
-            position.altitude,
-            north,
-            east,
-            down,
-            north,
-            n,
-            e,
-            d,
-            vn,
-            ve,
-            vd,
-            along,
-        ];
+        let numbers = numbers(time_s, arrives_s, measured);
         let known = KINDS.iter().find(|(_, kind, _)| *kind == measured.kind);
         let Some((word, _, has)) = known else { return Ok(()) };
         let mut buffer = zmij::Buffer::new();

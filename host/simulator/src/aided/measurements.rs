@@ -44,6 +44,13 @@ impl Arrivals {
     }
 }
 
+/// When one was true and when it arrives, beside samples of a rate in hertz, s.
+pub fn times_s((arrives_s, measured): &Arriving, rate_hz: f64) -> [f64; 2] {
+    let time_s = (measured.at.samples as f64 + measured.at.part) / rate_hz;
+    // What arrives in time arrives then to the last bit.
+    [time_s, arrives_s.max(time_s)]
+}
+
 /// All measurements of a run, sorted by their arrival; of the same time in the order of the sensors.
 pub fn of_run(scene: &Scene, source: &Source, run: u64) -> Vec<Arriving> {
     let (seed, aiding) = (scene.seed, &scene.aiding);

@@ -14,14 +14,18 @@
 //! | [`budget`] | what each error term contributes to their errors |
 //! | [`kept`] | what is kept of them, for parts of an ensemble |
 //! | [`report`] | what became of measurements |
+//! | [`estimates`] | what the filter estimates beside the motion |
+//! | [`rows`] | states with their standard deviations, as files have them |
 
 pub mod budget;
 pub mod columns;
+pub mod estimates;
 pub mod fixes;
 pub mod kept;
 pub mod measurements;
 pub mod navigator;
 pub mod report;
+pub mod rows;
 pub mod runs;
 pub mod seen;
 pub mod settings;

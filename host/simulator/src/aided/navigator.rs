@@ -1,6 +1,7 @@
 //! The core's aided navigators behind one interface: frame and precision are chosen at run time.
 
-use super::report::Report;
+use super::estimates;
+use super::report::{Judgement, Report};
 use super::seen::Seen;
 use super::settings;
 use super::smoother::{Smoothed, Steps};
@@ -56,6 +57,12 @@ pub trait Aids: Send {
     fn smoothed(&self) -> Vec<Smoothed>;
     /// What the filter has found beside the motion.
     fn found(&self) -> Vec<Found>;
+    /// Every measurement, in the order in which it was judged.
+    fn judged(&self) -> &[Judgement];
+    /// The columns of its [`estimates`](Self::estimates).
+    fn estimated(&self) -> Vec<String>;
+    /// Biases and further states at the end of the last block, in place of what the row had.
+    fn estimates(&self, row: &mut Vec<f64>);
 }
 
 /// Something that a filter has found beside the motion.
@@ -257,5 +264,17 @@ where
             Found { name, numbers: numbers.collect() }
         });
         found.collect()
+    }
+
+    fn judged(&self) -> &[Judgement] {
+        self.seen.judged()
+    }
+
+    fn estimated(&self) -> Vec<String> {
+        estimates::columns(&self.aided.settings().states)
+    }
+
+    fn estimates(&self, row: &mut Vec<f64>) {
+        estimates::read(&self.aided.settings().states, self.state.filter(), row);
     }
 }

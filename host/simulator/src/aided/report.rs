@@ -12,8 +12,12 @@ pub struct Judgement {
     pub time_s: f64,
     /// What was measured.
     pub kind: Kind,
+    /// How old it was, s.
+    pub age_s: f64,
     /// Σ y²/α.
     pub nis: f64,
+    /// The largest NIS that was accepted.
+    pub limit: f64,
     /// Whether it was taken.
     pub accepted: bool,
     /// Whether it completed a lockout.

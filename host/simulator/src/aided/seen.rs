@@ -27,6 +27,11 @@ impl Seen {
         Self { rate_hz, judged: Vec::new(), restarts: Vec::new(), steps }
     }
 
+    /// Every measurement, in the order in which it was judged.
+    pub fn judged(&self) -> &[Judgement] {
+        &self.judged
+    }
+
     /// What became of the measurements.
     pub fn report<
         M: Mechanization,
@@ -46,9 +51,10 @@ impl Seen {
 
 impl<R: Scalar, const N: usize, const P: usize, const E: usize> Witness<R, N, P, E> for Seen {
     fn judged(&mut self, verdict: &Verdict<R>) {
-        let &Verdict { at, kind, nis, accepted, locked_out, .. } = verdict;
+        let &Verdict { at, kind, age_s, nis, limit, accepted, locked_out } = verdict;
         let time_s = (at.samples as f64 + at.part.widen()) / self.rate_hz;
-        self.judged.push(Judgement { time_s, kind, nis: nis.widen(), accepted, locked_out });
+        let [age_s, nis, limit] = [age_s, nis, limit].map(Scalar::widen);
+        self.judged.push(Judgement { time_s, kind, age_s, nis, limit, accepted, locked_out });
     }
 
     fn stepped(&mut self, step: &Step<'_, R, N, P, E>) {

@@ -14,9 +14,9 @@ use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::block::unequal::Unequal;
 use schuler::strapdown::block::window::Window;
-use schuler::strapdown::frame::Frame;
 use schuler::strapdown::frame::earth_fixed::EarthFixed;
 use schuler::strapdown::frame::local_level::LocalLevel;
+use schuler::strapdown::frame::{Blank, Frame};
 use schuler::strapdown::limits::{Rejected, StartError};
 use schuler::strapdown::mechanization::Mechanization;
 use schuler::strapdown::navigator::{State, Strapdown};
@@ -25,7 +25,7 @@ use std::array;
 pub use super::samples::{pack, replaced};
 
 /// A frame over a pack of `N` runs.
-pub trait Packed<const N: usize>: Frame<Real: Lanes<N>> + Record {
+pub trait Packed<const N: usize>: Frame<Real: Lanes<N>> + Record + Blank {
     /// The same frame of one run.
     type Alone: Frame<Real = f64> + Record;
 }
@@ -88,12 +88,8 @@ impl<P: Lanes<N>, F: Packed<N, Real = P>, W: Window, const N: usize> Abreast<F, 
         }
         let same = |x: Pair<f64>| Pair { hi: P::of(x.hi), lo: P::of(x.lo) };
         let lanes = Strapdown::new(same(interval_s))?.with_order(order);
-        let together = lanes.start(&Solution {
-            position: first.position.map(same),
-            velocity_ned: first.velocity_ned.map(same),
-            attitude: first.attitude.map(same),
-        })?;
-        Ok(Self { lanes, one, together, apart, joined: false })
+        // In lanes a start would be out of line, and slow.
+        Ok(Self { lanes, one, together: State::blank(), apart, joined: false })
     }
 
     /// Takes a sample in each run alone; joins the runs when the edge of the stream is behind them.

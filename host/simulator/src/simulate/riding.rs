@@ -1,7 +1,8 @@
 //! An aided navigator as the vehicle of a run.
 
 use super::{Refused, Vehicle, nine};
-use crate::aided::report::Report;
+use crate::aided::navigator::Aids;
+use crate::aided::report::{Judgement, Report};
 use crate::aided::smoother::Smoothed;
 use crate::aided::vehicle::AidedVehicle;
 use crate::flight::Nine;
@@ -18,6 +19,12 @@ use std::rc::Rc;
 pub struct Claims {
     /// Standard deviations of its drift at the last row.
     pub sigma: Rc<Cell<Nine>>,
+    /// Columns of what it estimates beside the motion.
+    pub estimated: Rc<RefCell<Vec<String>>>,
+    /// Their numbers at the last row.
+    pub estimates: Rc<RefCell<Vec<f64>>>,
+    /// Every measurement as it was judged, once it has ended.
+    pub judged: Rc<RefCell<Vec<Judgement>>>,
     /// Its smoothed states, once it has ended.
     pub smoothed: Rc<RefCell<Vec<Smoothed>>>,
     /// What became of the measurements, once it has ended.
@@ -50,18 +57,24 @@ impl Riding {
     /// With one that is not aided, whose time is taken.
     pub fn new(vehicle: AidedVehicle, unaided: Box<dyn Navigate>, claims: Claims) -> Self {
         let riding = Self { vehicle, unaided, claims };
+        *riding.claims.estimated.borrow_mut() = riding.aided().estimated();
         riding.claim();
         riding
     }
 
-    /// Says what its drift is.
+    fn aided(&self) -> &dyn Aids {
+        self.vehicle.navigator()
+    }
+
+    /// Says what its drift is, and what it estimates.
     fn claim(&self) {
-        self.claims.claim(&self.vehicle.navigator().covariance());
+        self.claims.claim(&self.aided().covariance());
+        self.aided().estimates(&mut self.claims.estimates.borrow_mut());
     }
 
     /// Reads the row of a block that has ended since.
     fn read(&self, before: u64, read: &mut Reader) {
-        let navigator = self.vehicle.navigator();
+        let navigator = self.aided();
         if navigator.integrated() != before {
             self.claim();
             read(navigator.integrated(), &navigator.solution());
@@ -95,7 +108,8 @@ impl Vehicle for Riding {
         let before = self.integrated();
         self.vehicle.finish()?;
         self.read(before, read);
-        *self.claims.smoothed.borrow_mut() = self.vehicle.navigator().smoothed();
+        *self.claims.judged.borrow_mut() = self.aided().judged().to_vec();
+        *self.claims.smoothed.borrow_mut() = self.aided().smoothed();
         *self.claims.report.borrow_mut() = Some(self.vehicle.report());
         Ok(())
     }
@@ -106,11 +120,11 @@ impl Vehicle for Riding {
     }
 
     fn integrated(&self) -> u64 {
-        self.vehicle.navigator().integrated()
+        self.aided().integrated()
     }
 
     fn digest(&self) -> u64 {
-        self.vehicle.navigator().digest()
+        self.aided().digest()
     }
 
     fn navigator(&self) -> &dyn Navigate {

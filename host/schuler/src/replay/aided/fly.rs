@@ -2,6 +2,7 @@
 
 use super::given::Given;
 use super::grid::Grid;
+use super::kept::Kept;
 use super::rows::{AidedRows, write};
 use super::start::{AT_REST, Beginning, GIVEN, How};
 use super::withheld::{self, Withheld};
@@ -17,6 +18,8 @@ use schuler::math::vector::Vector;
 use schuler::solution::Solution;
 use schuler_simulator::aided::measurements::Arriving;
 use schuler_simulator::aided::navigator::{self, Made};
+use schuler_simulator::aided::report::Judgement;
+use schuler_simulator::aided::rows;
 use schuler_simulator::aided::smoother;
 use schuler_simulator::aided::unit;
 use schuler_simulator::aided::vehicle::AidedVehicle;
@@ -50,6 +53,8 @@ struct Flying<'a> {
     began: (f64, f64),
     /// Measurements of times before the start.
     early: usize,
+    /// Whether what it leaves is wanted in memory, too.
+    keep: bool,
 }
 
 /// Flies it; the text is what became of the measurements.
@@ -99,13 +104,17 @@ pub fn fly(
         let navigator = navigator::begin(&made, &initial).map_err(blamed)?;
         let mcap = args.mcap.as_deref();
         let at = (spans.navigate_s, initial);
+        let is_compared = args.reference.is_some();
+        let rows =
+            AidedRows::new((nav, keep), mcap, args.every, at, is_compared, navigator.as_ref())?;
         Ok(Flying {
             recording,
             began: (begin_s, rate_hz),
             early: told.len() - arriving.len(),
             vehicle: AidedVehicle::with(navigator, arriving, rate_hz),
             biases: refined.map(|refined| Biases::of(&refined.aligned)).unwrap_or_default(),
-            rows: AidedRows::new((nav, keep), mcap, args.every, at, args.reference.is_some())?,
+            rows,
+            keep,
             grid: (!given.is_even).then(|| Grid::new(begin_s, interval.hi)),
             ends_s: VecDeque::new(),
             integrated: 0,
@@ -192,7 +201,7 @@ impl Flying<'_> {
         }
         let Some([time_s, end_s]) = block else { return Ok(()) };
         let state = navigator.solution();
-        self.rows.add([time_s, end_s], &state, &navigator.covariance())?;
+        self.rows.add([time_s, end_s], &state, navigator)?;
         let (velocity, before_s) = self.before;
         for withheld in &mut self.withheld {
             let block = (velocity, end_s - before_s);
@@ -213,9 +222,10 @@ impl Flying<'_> {
         })?;
         let navigator = self.vehicle.navigator();
         if self.integrated > 0 {
-            self.rows.correct(&navigator.solution(), &navigator.covariance());
+            self.rows.correct(&navigator.solution(), navigator);
         }
-        let mut text = crate::aided::lines(&self.vehicle.report());
+        let report = self.vehicle.report();
+        let mut text = crate::aided::lines(&report);
         text += &crate::aided::found(&navigator.found());
         if self.early > 0 {
             text += &format!("{} measurements are of times before the start\n", self.early);
@@ -224,17 +234,36 @@ impl Flying<'_> {
         let digest = navigator.digest();
         let (neglected, last, samples) =
             (self.rows.highest.neglected(), self.rows.last, self.samples);
-        let Finished { files: mut nav, track, kept: rows } = self.rows.finish()?;
+        let (Finished { files: mut nav, track, kept: rows }, estimates) = self.rows.finish()?;
+        let (begin_s, rate_hz) = self.began;
+        let mut smoothed = None;
         if let Some(smooth) = smooth {
-            let smoothed = navigator.smoothed();
-            let (begin_s, rate_hz) = self.began;
-            nav.push(write(smooth, &smoothed, |samples| begin_s + samples as f64 / rate_hz)?);
-            text +=
-                &format!("smoothed {} states, written to {}\n", smoothed.len(), smooth.display());
+            let states = navigator.smoothed();
+            let states = rows::smoothed(&states, |samples| begin_s + samples as f64 / rate_hz);
+            nav.push(write(smooth, &states)?);
+            text += &format!("smoothed {} states, written to {}\n", states.len(), smooth.display());
+            smoothed = Some(states);
         }
+        let aided = self.keep.then(|| {
+            let judged = navigator.judged().iter();
+            let judged = judged.map(|one| Judgement { time_s: begin_s + one.time_s, ..*one });
+            let judged = judged.collect();
+            Kept { report, judged, estimates, smoothed, withheld: withheld::table(&self.withheld) }
+        });
         let (bridged, outside) = (Default::default(), (0, None));
-        let flight =
-            Flight { start, last, bridged, outside, neglected, samples, digest, nav, track, rows };
+        let flight = Flight {
+            start,
+            last,
+            bridged,
+            outside,
+            neglected,
+            samples,
+            digest,
+            nav,
+            track,
+            rows,
+            aided,
+        };
         Ok((flight, text))
     }
 }

@@ -7,11 +7,13 @@
 //! | [`start`] | where it starts, and how well that is known |
 //! | [`fly`] | the flight |
 //! | [`rows`] | nav.csv with standard deviations |
+//! | [`kept`] | what it leaves beside that, in memory |
 //! | [`withheld`] | fixes that are hidden, and how far off the navigator then is |
 
 pub mod fly;
 pub mod given;
 pub mod grid;
+pub mod kept;
 pub mod rows;
 pub mod start;
 pub mod withheld;

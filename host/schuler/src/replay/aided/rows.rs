@@ -3,19 +3,22 @@
 use crate::replay::rows::Finished;
 use crate::report::every::{Every, Sieve};
 use schuler::solution::Solution;
-use schuler_simulator::aided::smoother::Smoothed;
-use schuler_simulator::flight::Nine;
+use schuler_simulator::aided::navigator::Aids;
+use schuler_simulator::aided::rows::{WIDTH, columns, numbers};
 use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::high::Highest;
 use schuler_simulator::input::InputError;
-use schuler_simulator::output::{NumberTable, OutputFile};
-use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
+use schuler_simulator::output::{NumberRows, NumberTable, OutputFile};
 use schuler_simulator::recording::track::Track;
-use schuler_simulator::units::ARCSECOND;
 use std::path::Path;
 
-/// Columns of a row.
-pub const WIDTH: usize = COLUMNS.len() + Nine::SIGMAS.len();
+/// Rows in memory.
+struct Kept {
+    nav: NumberRows,
+    estimates: NumberRows,
+    /// Those of the last row.
+    waits: Vec<f64>,
+}
 
 /// Rows on their way to the file.
 pub struct AidedRows {
@@ -29,7 +32,7 @@ pub struct AidedRows {
     waits: Option<[f64; WIDTH]>,
     is_kept: bool,
     /// The rows that are written, where they are wanted.
-    kept: Option<Vec<NavigationRow>>,
+    kept: Option<Kept>,
     /// The place farthest from the ellipsoid.
     pub highest: Highest,
 }
@@ -42,16 +45,22 @@ impl AidedRows {
         every: Option<Every>,
         start: (f64, Solution<f64>),
         is_compared: bool,
+        navigator: &dyn Aids,
     ) -> Result<Self, InputError> {
-        let columns: Vec<_> = COLUMNS.into_iter().chain(Nine::SIGMAS).collect();
+        let kept = || {
+            let names: Vec<_> =
+                ["time_s".to_owned()].into_iter().chain(navigator.estimated()).collect();
+            let (nav, estimates) = (NumberRows::new(&columns()), NumberRows::new(&names));
+            Kept { nav, estimates, waits: Vec::new() }
+        };
         Ok(Self {
-            table: NumberTable::create(out, &columns)?,
+            table: NumberTable::create(out, &columns())?,
             messages: mcap.map(McapWriter::create).transpose()?,
             sieve: Sieve::new(every, start.0),
             track: is_compared.then(Track::default),
             last: start,
             waits: None,
-            kept: keep.then(Vec::new),
+            kept: keep.then(kept),
             is_kept: false,
             highest: Highest::default(),
         })
@@ -62,7 +71,7 @@ impl AidedRows {
         &mut self,
         [time_s, end_s]: [f64; 2],
         state: &Solution<f64>,
-        covariance: &[[f64; 9]; 9],
+        navigator: &dyn Aids,
     ) -> Result<(), InputError> {
         if self.is_kept {
             self.write()?;
@@ -73,14 +82,17 @@ impl AidedRows {
         if let Some(track) = &mut self.track {
             track.push(end_s, state);
         }
-        self.correct(state, covariance);
+        self.correct(state, navigator);
         Ok(())
     }
 
     /// The last row once more, corrected.
-    pub fn correct(&mut self, state: &Solution<f64>, covariance: &[[f64; 9]; 9]) {
+    pub fn correct(&mut self, state: &Solution<f64>, navigator: &dyn Aids) {
         self.last.1 = *state;
-        self.waits = Some(numbers(self.last.0, state, covariance));
+        self.waits = Some(numbers(self.last.0, state, &navigator.covariance()));
+        if let Some(kept) = &mut self.kept {
+            navigator.estimates(&mut kept.waits);
+        }
     }
 
     fn write(&mut self) -> Result<(), InputError> {
@@ -88,43 +100,29 @@ impl AidedRows {
         self.table.row(&row)?;
         let (time_s, state) = &self.last;
         if let Some(kept) = &mut self.kept {
-            kept.push(NavigationRow::new(*time_s, state));
+            kept.nav.add(&row);
+            kept.estimates.add(&[*time_s]);
+            kept.estimates.add(&kept.waits);
         }
         let messages = self.messages.as_mut();
         messages.map_or(Ok(()), |file| file.state(Motion::Computed, *time_s, state))
     }
 
     /// The files, whole, but not in their places yet; every row that is to be compared; those that are wanted.
-    pub fn finish(mut self) -> Result<Finished, InputError> {
+    pub fn finish(mut self) -> Result<(Finished, NumberRows), InputError> {
         self.write()?;
         let mut files = vec![self.table.into_file()];
         files.extend(self.messages.map(McapWriter::into_file).transpose()?);
-        Ok(Finished { files, track: self.track, kept: self.kept.unwrap_or_default() })
+        let (kept, estimates) =
+            self.kept.map(|Kept { nav, estimates, .. }| (nav, estimates)).unwrap_or_default();
+        Ok((Finished { files, track: self.track, kept }, estimates))
     }
 }
 
-/// Writes smoothed states, each at a time that is a function of its samples.
-pub fn write(
-    out: &Path,
-    smoothed: &[Smoothed],
-    time_s: impl Fn(u64) -> f64,
-) -> Result<OutputFile, InputError> {
-    let columns: Vec<_> = COLUMNS.into_iter().chain(Nine::SIGMAS).collect();
-    let mut table = NumberTable::create(out, &columns)?;
-    for Smoothed { samples, solution, covariance, .. } in smoothed {
-        table.row(&numbers(time_s(*samples), solution, covariance))?;
-    }
+/// Writes rows to a file.
+pub fn write(out: &Path, rows: &NumberRows) -> Result<OutputFile, InputError> {
+    let names: Vec<_> = rows.names.iter().map(String::as_str).collect();
+    let mut table = NumberTable::create(out, &names)?;
+    rows.iter().try_for_each(|row| table.row(row))?;
     Ok(table.into_file())
-}
-
-/// A row: the state, and standard deviations, those of attitude in seconds of arc.
-fn numbers(time_s: f64, state: &Solution<f64>, covariance: &[[f64; 9]; 9]) -> [f64; WIDTH] {
-    let columns = NavigationRow::new(time_s, state).columns();
-    let unit = |i: usize| if i < 6 { 1.0 } else { ARCSECOND };
-    let mut row = [0.0; WIDTH];
-    let sigmas = (0..9).map(|i| covariance[i][i].max(0.0).sqrt() / unit(i));
-    for (cell, number) in row.iter_mut().zip(columns.into_iter().chain(sigmas)) {
-        *cell = number;
-    }
-    row
 }

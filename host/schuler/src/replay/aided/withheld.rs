@@ -6,6 +6,7 @@ use schuler::math::vector::Vector;
 use schuler::solution::Solution;
 use schuler_simulator::aided::told::Told;
 use schuler_simulator::number::rounded;
+use schuler_simulator::output::NumberRows;
 use schuler_simulator::quadratic::quadratic;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
@@ -19,6 +20,20 @@ pub struct Withheld {
     hidden: usize,
     found: Option<Off>,
 }
+
+/// Columns of their table.
+const COLUMNS: [&str; 10] = [
+    "from_s",
+    "to_s",
+    "measurements",
+    "north_m",
+    "east_m",
+    "down_m",
+    "north_m_sigma",
+    "east_m_sigma",
+    "down_m_sigma",
+    "nees",
+];
 
 /// How far off a navigator is from a fix: north, east, down, m.
 #[derive(Clone, Copy, Debug)]
@@ -120,6 +135,21 @@ impl Withheld {
 
 fn norm(v: &[f64; 3]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// What came of each, a row of numbers; there are none of a span without a position.
+pub fn table(all: &[Withheld]) -> NumberRows {
+    let mut rows = NumberRows::new(&COLUMNS);
+    for Withheld { span_s, hidden, found, .. } in all {
+        let none = Off { error: [f64::NAN; 3], sigma: [f64::NAN; 3], nees: f64::NAN };
+        let Off { error, sigma, nees } = found.unwrap_or(none);
+        rows.add(span_s);
+        rows.add(&[*hidden as f64]);
+        rows.add(&error);
+        rows.add(&sigma);
+        rows.add(&[nees]);
+    }
+    rows
 }
 
 /// What came of all, a line each, and together.

@@ -184,6 +184,19 @@ fn whatever_writes_a_summary_keeps_to_the_schema() {
     let line = "replay --imu imu.csv --initial initial.toml --reference truth.csv --out again/";
     schuler(folder, line, 0);
     note(&summary(&at("again/summary.json"), "replay"), "replay");
+    let line =
+        "emulate aided-drive --duration 30 --gnss gnss.csv --out road.csv --truth road-truth.csv";
+    schuler(folder, line, 0);
+    let line = "replay --imu road.csv --initial initial.toml --gnss gnss.csv --sensors aided-drive \
+        --reference road-truth.csv --out road/";
+    schuler(folder, line, 0);
+    let road = summary(&at("road/summary.json"), "replay");
+    assert!(road["claimed"]["position_m"].as_f64().unwrap() > 0.0, "{road}");
+    note(&road, "replay");
+    let page = std::fs::read_to_string(at("road/report.html")).unwrap();
+    assert!(page.contains("The filter says: 1σ"));
+    let head = std::fs::read_to_string(at("road/drift.csv")).unwrap();
+    assert!(head.lines().next().unwrap().ends_with("attitude_down_arcsec_sigma"), "{head:.300}");
 
     // And every key of the schema has been written by one of them.
     let schema = schema();

@@ -11,7 +11,7 @@
 //! | [`rounding`] | flights that round at random |
 //! | [`plan`], [`lively`], [`timing`] | the window for a scene, and what a stage costs |
 //! | [`alignment`], [`aided`] | what comes before navigation, and what aids it |
-//! | [`simulate`], [`flight`], [`high`] | a flight from start to end, and what it leaves |
+//! | [`simulate`], [`flight`], [`nine`], [`high`] | a flight from start to end, and what it leaves |
 //! | [`theory`] | the drift that is expected |
 //! | [`portrait`], [`formats`] | what a motion is like, and its path for other tools |
 //! | [`recording`], [`rest`] | streams of samples from files, and what a unit at rest tells |
@@ -32,6 +32,7 @@ pub mod input;
 pub mod lanes;
 pub mod lively;
 pub mod navigator;
+pub mod nine;
 pub mod number;
 pub mod output;
 pub mod parallel;

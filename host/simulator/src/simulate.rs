@@ -266,7 +266,7 @@ fn instant(source: &Source, theory: &mut Theory, sample: u64, computed: &Solutio
 fn smoothed_instant(source: &Source, smoothed: &Smoothed) -> Instant {
     let Smoothed { samples, solution, covariance, .. } = smoothed;
     let compared = compared(source.time_s(*samples), solution, &source.truth(*samples));
-    Instant { mean: Nine::default(), sigma: riding::sigma(covariance), ..compared }
+    Instant { mean: Nine::default(), sigma: Nine::of_covariance(covariance), ..compared }
 }
 
 /// An instant of which theory says nothing.

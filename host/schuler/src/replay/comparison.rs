@@ -1,7 +1,7 @@
 //! A replay beside its reference: the drift at the reference's own times.
 
 use crate::cli;
-use schuler_simulator::flight::{Extremes, Instant};
+use schuler_simulator::flight::{Extremes, Instant, Nine};
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::recording::lag::{self, Lag};
 use schuler_simulator::recording::reference::Reference;
@@ -85,7 +85,10 @@ pub fn compare(
     for (place, (time_s, truth)) in reference.rows.iter().enumerate() {
         match track.at(time_s - lag_s) {
             Some(computed) => {
-                let instant = compared(*time_s, &computed, truth);
+                let mut instant = compared(*time_s, &computed, truth);
+                if let Some(sigma) = track.claimed(time_s - lag_s) {
+                    (instant.mean, instant.sigma) = (Nine::default(), *sigma);
+                }
                 observe(&instant)?;
                 log.add(rows, &instant);
                 rows += 1;

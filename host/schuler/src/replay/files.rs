@@ -21,16 +21,18 @@ pub struct ReportFiles {
     summary: OutputFile,
     svg: Option<OutputFile>,
     has: Has,
+    is_aided: bool,
 }
 
 impl ReportFiles {
     /// To be in their places; none where no report is wanted. What cannot be written is found here,
     /// before the flight.
-    pub fn create(places: &Places, has: Has) -> Result<Option<Self>, InputError> {
+    pub fn create(places: &Places, has: Has, is_aided: bool) -> Result<Option<Self>, InputError> {
         let Some(folder) = &places.report else { return Ok(None) };
         let [drift, picture, page, summary] = REPORT.map(|name| folder.join(name));
         let names = has.numbers().map(|i| Nine::NAMES[i]);
-        let columns: Vec<_> = ["time_s"].into_iter().chain(names).collect();
+        let sigmas = has.numbers().filter(|_| is_aided).map(|i| Nine::SIGMAS[i]);
+        let columns: Vec<_> = ["time_s"].into_iter().chain(names).chain(sigmas).collect();
         Ok(Some(Self {
             drift: NumberTable::create(drift, &columns)?,
             picture: OutputFile::create(picture)?,
@@ -38,14 +40,17 @@ impl ReportFiles {
             summary: OutputFile::create(summary)?,
             svg: places.svg.then(|| OutputFile::create(folder.join(plot::SVG))).transpose()?,
             has,
+            is_aided,
         }))
     }
 
-    /// A row of `drift.csv`: a time, and the errors that are known.
+    /// A row of `drift.csv`: a time, the errors that are known, and what an aided flight claims of each.
     pub fn row(&mut self, instant: &Instant) -> Result<(), InputError> {
         let numbers = instant.drift.numbers();
         let known = self.has.numbers().map(|i| numbers[i]);
-        let row: Vec<f64> = [instant.time_s].into_iter().chain(known).collect();
+        let sigmas = instant.sigma.numbers();
+        let sigmas = self.has.numbers().filter(|_| self.is_aided).map(|i| sigmas[i]);
+        let row: Vec<f64> = [instant.time_s].into_iter().chain(known).chain(sigmas).collect();
         self.drift.row(&row)
     }
 

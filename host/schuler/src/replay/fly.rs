@@ -10,6 +10,7 @@ use super::spans::Spans;
 use crate::cli::ReplayArgs;
 use schuler::flight::plan;
 use schuler::solution::Solution;
+use schuler_simulator::aided::report::Report;
 use schuler_simulator::high::Neglected;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator::{self, Navigate, Unavailable};
@@ -48,6 +49,8 @@ pub struct Flight {
     pub track: Option<Track>,
     /// The rows of `nav.csv`, where they are wanted.
     pub rows: NumberRows,
+    /// What became of an aided flight's measurements.
+    pub measurements: Option<Report>,
     /// What an aided flight leaves beside them, where that is wanted.
     pub aided: Option<Kept>,
 }
@@ -152,6 +155,7 @@ impl<'a> Flying<'a> {
             nav,
             track,
             rows,
+            measurements: None,
             aided,
         })
     }

@@ -189,7 +189,7 @@ impl Tail<'_> {
         let Self { args, recording, survey, spans, options, shape, reference, keep } = *self;
         let places = Places::new(&args.out, reference.is_some(), args.svg);
         let has = reference.map(|r| Has { velocity: r.has_velocity, attitude: r.has_attitude });
-        let files = has.map(|has| ReportFiles::create(&places, has));
+        let files = has.map(|has| ReportFiles::create(&places, has, args.aiding.gnss.is_some()));
         let mut files = files.transpose()?.flatten();
         let (mut flight, mut text) = fly(&places.nav)?;
         let (mut filled, mut report) = (Vec::new(), None);

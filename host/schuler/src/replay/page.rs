@@ -115,8 +115,9 @@ fn headline(comparison: &Comparison, about: &About) -> String {
         cards.push(card(error, "attitude error at the end"));
     }
     let lines = [table::compared(comparison), table::lag(comparison)];
-    let lines = lines.map(|line| format!("<p>{}</p>\n", escape(&line)));
-    page::cards(&cards) + &lines.concat()
+    let lines = lines.into_iter().chain(table::claimed(comparison));
+    let lines: String = lines.map(|line| format!("<p>{}</p>\n", escape(&line))).collect();
+    page::cards(&cards) + &lines
 }
 
 /// The terminal's table.

@@ -5,6 +5,7 @@ use super::fly::{Bridged, Flight};
 use super::spans::Spans;
 use crate::report::head::{Head, Navigated};
 use crate::report::summary::Components;
+use schuler_simulator::aided::report::Report;
 use schuler_simulator::high::Neglected;
 use schuler_simulator::scene::{Algorithm, Navigator, WindowShape};
 use serde::Serialize;
@@ -30,6 +31,11 @@ struct Summary<'a> {
     digest: String,
     compared: Compared,
     error: Error,
+    /// What an aided flight's filter says of the last error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    claimed: Option<Components>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    measurements: Option<&'a Report>,
 }
 
 #[derive(Serialize)]
@@ -104,6 +110,11 @@ pub fn json(flight: &Flight, comparison: &Comparison, about: &About, files: &[&s
             r#final: Components::with_norms(&comparison.last.drift),
             max: Components::new(&comparison.max.components, comparison.max.norms),
         },
+        claimed: flight
+            .measurements
+            .as_ref()
+            .map(|_| Components::with_norms(&comparison.last.sigma)),
+        measurements: flight.measurements.as_ref(),
     };
     crate::report::summary::text(&summary)
 }

@@ -3,6 +3,7 @@
 use super::comparison::{Comparison, Has};
 use crate::report::norm;
 use crate::report::table::{Column, columns_of, rows_of, unit_note};
+use crate::report::verdict;
 use schuler_simulator::flight::Instant;
 use schuler_simulator::number::{Quantity, parameter};
 
@@ -40,6 +41,7 @@ pub fn table(comparison: &Comparison) -> String {
     }
     lines.push(String::new());
     lines.push(outcome(comparison));
+    lines.extend(claimed(comparison));
     lines.extend(unit_note(&columns));
     lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
 }
@@ -91,6 +93,12 @@ pub fn lag(comparison: &Comparison) -> String {
             )
         }
     }
+}
+
+/// What an aided flight's filter says of the last error, in a line.
+pub fn claimed(comparison: &Comparison) -> Option<String> {
+    let is_claimed = comparison.last.sigma.position_m.iter().all(|sigma| sigma.is_finite());
+    is_claimed.then(|| verdict::claimed(&comparison.last))
 }
 
 /// What it came to, in a line.

@@ -46,6 +46,18 @@ pub fn errors(instants: &[Instant], traces: &Traces, cursor: &'static str) -> St
     ))
 }
 
+/// What all measurements together say of a flight, with its heading; nothing where it is not smoothed.
+pub fn smoothed(instants: &[Instant]) -> String {
+    let figures = errors(instants, &Traces::of(instants), "time");
+    if figures.is_empty() {
+        return figures;
+    }
+    format!(
+        "<h2>Smoothed</h2>\n<p class=\"quiet\">What all measurements, also later ones, say of each instant, less the truth, with \
+         the standard deviation that the smoother claims.</p>\n{figures}"
+    )
+}
+
 /// Some of the instants, the last included.
 fn thinned(instants: &[Instant]) -> Vec<Instant> {
     let each = instants.len().div_ceil(SMOOTH).max(1);

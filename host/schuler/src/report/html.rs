@@ -33,7 +33,7 @@ pub fn page(flight: &Flight, shown: &Shown) -> String {
     let sections = [
         horizontal(flight, shown),
         drift(flight, shown),
-        smoothed(flight),
+        figures::smoothed(&flight.smoothed),
         section("Errors of roll, pitch and yaw", &figures::euler(&shown.traces, end_s)),
         section("The flight", &figures::motion(&flight.overview, &shown.traces)),
         shown.sensors.as_ref().map_or(String::new(), |s| figures::sensors(s, end_s)),
@@ -105,16 +105,6 @@ fn drift(flight: &Flight, shown: &Shown) -> String {
                 to see the whole; a click on a name hides it.";
     let figures = figures::errors(&flight.overview, &shown.traces, "time");
     format!("<h2>Drift: computed minus true</h2>\n<p class=\"quiet\">{note}</p>\n{figures}")
-}
-
-/// What all measurements together say of the flight.
-fn smoothed(flight: &Flight) -> String {
-    let note = "What all measurements, also later ones, say of each instant, less the truth, with the standard deviation \
-                that the smoother claims.";
-    let traces = Traces::of(&flight.smoothed);
-    let figures = figures::errors(&flight.smoothed, &traces, "time");
-    let note = format!("<p class=\"quiet\">{note}</p>\n{figures}");
-    section("Smoothed", if figures.is_empty() { "" } else { &note })
 }
 
 fn first_minute(flight: &Flight) -> String {

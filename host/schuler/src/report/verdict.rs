@@ -29,22 +29,13 @@ pub fn verdict(flight: &Flight) -> [String; 2] {
     );
     let scores = z_scores(last);
     let theory = if scores.iter().any(Option::is_some) {
-        let score = |axis: usize| match scores[axis] {
-            Some(z) => format!("{z:+.2}σ"),
-            None => "no scatter".to_owned(),
-        };
-        let whose = match flight.aided {
-            Some(_) => "The filter says: 1σ".to_owned(),
-            None => format!("Theory: mean {}, 1σ", position(&last.mean)),
-        };
-        let of = if flight.aided.is_some() { "" } else { " of the mean" };
-        format!(
-            "{whose} {}; the error lies {} north, {} east, {} down{of}.",
-            position(&last.sigma),
-            score(0),
-            score(1),
-            score(2),
-        )
+        match flight.aided {
+            Some(_) => claimed(last),
+            None => {
+                let [mean, sigma] = [&last.mean, &last.sigma].map(position);
+                format!("Theory: mean {mean}, 1σ {sigma}; {} of the mean.", lies(last))
+            }
+        }
     } else if norm(last.mean.position_m) > 0.0 {
         let rest: [f64; 3] =
             std::array::from_fn(|axis| last.drift.position_m[axis] - last.mean.position_m[axis]);
@@ -57,6 +48,21 @@ pub fn verdict(flight: &Flight) -> [String; 2] {
         "Theory: no drift to expect; the error is the navigator's own.".to_owned()
     };
     [outcome, outside_theory(flight).unwrap_or(theory)]
+}
+
+/// What a filter says of the last error, in a line.
+pub fn claimed(last: &Instant) -> String {
+    let sigma = Quantity::Position.show(norm(last.sigma.position_m));
+    format!("The filter says: 1σ {sigma}; {}.", lies(last))
+}
+
+/// Where the last error lies, in standard deviations.
+fn lies(last: &Instant) -> String {
+    let [north, east, down] = z_scores(last).map(|score| match score {
+        Some(z) => format!("{z:+.2}σ"),
+        None => "no scatter".to_owned(),
+    });
+    format!("the error lies {north} north, {east} east, {down} down")
 }
 
 /// What happened that the linear error model does not know, if anything.

@@ -4,7 +4,6 @@ use super::smoother::Smoothed;
 use crate::flight::Nine;
 use crate::output::NumberRows;
 use crate::recording::navigation::{COLUMNS, NavigationRow};
-use crate::units::ARCSECOND;
 use schuler::solution::Solution;
 
 /// Columns of a row.
@@ -18,10 +17,10 @@ pub fn columns() -> Vec<&'static str> {
 /// A row: the state, and standard deviations, those of attitude in seconds of arc.
 pub fn numbers(time_s: f64, state: &Solution<f64>, covariance: &[[f64; 9]; 9]) -> [f64; WIDTH] {
     let columns = NavigationRow::new(time_s, state).columns();
-    let unit = |i: usize| if i < 6 { 1.0 } else { ARCSECOND };
     let mut row = [0.0; WIDTH];
-    let sigmas = (0..9).map(|i| covariance[i][i].max(0.0).sqrt() / unit(i));
-    for (cell, number) in row.iter_mut().zip(columns.into_iter().chain(sigmas)) {
+    for (cell, number) in
+        row.iter_mut().zip(columns.into_iter().chain(Nine::of_covariance(covariance).numbers()))
+    {
         *cell = number;
     }
     row

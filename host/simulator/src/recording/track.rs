@@ -1,5 +1,6 @@
 //! A computed motion that can be asked for at any time.
 
+use crate::flight::Nine;
 use schuler::drift::compare::{Drift, drift};
 use schuler::math::vector::Vector;
 use schuler::solution::Solution;
@@ -9,6 +10,8 @@ use schuler::solution::Solution;
 pub struct Track {
     times_s: Vec<f64>,
     states: Vec<Solution<f64>>,
+    /// What is claimed of each, where anything is.
+    sigmas: Vec<Nine>,
 }
 
 impl Track {
@@ -18,6 +21,20 @@ impl Track {
             self.times_s.push(time_s);
             self.states.push(*state);
         }
+    }
+
+    /// The last state as it is corrected, with what is claimed of it.
+    pub fn claim(&mut self, state: &Solution<f64>, sigma: Nine) {
+        if let Some(last) = self.states.last_mut() {
+            *last = *state;
+            self.sigmas.resize(self.states.len() - 1, sigma);
+            self.sigmas.push(sigma);
+        }
+    }
+
+    /// What is claimed of the row nearest to a time; `None` where nothing is.
+    pub fn claimed(&self, time_s: f64) -> Option<&Nine> {
+        self.sigmas.get(self.nearest(time_s))
     }
 
     /// First and last time, s.

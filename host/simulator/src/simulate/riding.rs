@@ -1,6 +1,6 @@
 //! An aided navigator as the vehicle of a run.
 
-use super::{Refused, Vehicle, nine};
+use super::{Refused, Vehicle};
 use crate::aided::navigator::Aids;
 use crate::aided::report::{Judgement, Report};
 use crate::aided::smoother::Smoothed;
@@ -8,8 +8,6 @@ use crate::aided::vehicle::AidedVehicle;
 use crate::flight::Nine;
 use crate::navigator::{Navigate, Reader};
 use schuler::aiding::aided::fault::AidedFault;
-use schuler::drift::compare::Drift;
-use schuler::math::vector::Vector;
 use schuler::sample::Increment;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -34,15 +32,8 @@ pub struct Claims {
 impl Claims {
     /// Says what a drift is by its covariance.
     pub fn claim(&self, covariance: &[[f64; 9]; 9]) {
-        self.sigma.set(sigma(covariance));
+        self.sigma.set(Nine::of_covariance(covariance));
     }
-}
-
-/// Standard deviations of a drift by its covariance.
-pub fn sigma(covariance: &[[f64; 9]; 9]) -> Nine {
-    let sigma = |i: usize| covariance[i][i].max(0.0).sqrt();
-    let three = |i: usize| Vector::new(sigma(i), sigma(i + 1), sigma(i + 2));
-    nine(&Drift { position_ned: three(0), velocity_ned: three(3), attitude_ned: three(6) })
 }
 
 /// An aided navigator.

@@ -244,6 +244,7 @@ impl Flying<'_> {
             text += &format!("smoothed {} states, written to {}\n", states.len(), smooth.display());
             smoothed = Some(states);
         }
+        let measurements = Some(report.clone());
         let aided = self.keep.then(|| {
             let judged = navigator.judged().iter();
             let judged = judged.map(|one| Judgement { time_s: begin_s + one.time_s, ..*one });
@@ -262,6 +263,7 @@ impl Flying<'_> {
             nav,
             track,
             rows,
+            measurements,
             aided,
         };
         Ok((flight, text))

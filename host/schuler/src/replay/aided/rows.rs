@@ -5,6 +5,7 @@ use crate::report::every::{Every, Sieve};
 use schuler::solution::Solution;
 use schuler_simulator::aided::navigator::Aids;
 use schuler_simulator::aided::rows::{WIDTH, columns, numbers};
+use schuler_simulator::flight::Nine;
 use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::high::Highest;
 use schuler_simulator::input::InputError;
@@ -89,6 +90,9 @@ impl AidedRows {
     /// The last row once more, corrected.
     pub fn correct(&mut self, state: &Solution<f64>, navigator: &dyn Aids) {
         self.last.1 = *state;
+        if let Some(track) = &mut self.track {
+            track.claim(state, Nine::of_covariance(&navigator.covariance()));
+        }
         self.waits = Some(numbers(self.last.0, state, &navigator.covariance()));
         if let Some(kept) = &mut self.kept {
             navigator.estimates(&mut kept.waits);

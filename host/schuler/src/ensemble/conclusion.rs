@@ -5,7 +5,7 @@ use super::findings::Findings;
 use super::sentences::sentences;
 use super::summary::Outcome;
 use super::{figures, summary, table};
-use crate::cli::EnsembleArgs;
+use crate::cli::{EnsembleArgs, MergeArgs};
 use crate::report::files::tell_replaced_by;
 use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::{Ground, Unit};
@@ -16,6 +16,18 @@ use schuler_simulator::output::{GrowingFile, say};
 use schuler_simulator::parallel;
 use schuler_simulator::simulate::FlightError;
 use std::path::PathBuf;
+
+/// What was put together, and how it is to be told.
+pub struct Merged<'a> {
+    /// What was asked for.
+    pub args: &'a MergeArgs,
+    /// The command of the whole.
+    pub whole: &'a EnsembleArgs,
+    /// The scene, and where runs start.
+    pub ground: &'a Ground<'a>,
+    /// Samples taken at each reading.
+    pub stops: &'a [u64],
+}
 
 /// An ensemble about to end.
 pub struct Conclusion<'a> {

@@ -1,7 +1,7 @@
 //! `schuler ensemble merge`: the whole of an ensemble from its parts.
 
 use super::aided;
-use super::conclusion::{Conclusion, threads};
+use super::conclusion::{Conclusion, Merged, threads};
 use super::files::Extra;
 use crate::cli::{EnsembleArgs, MergeArgs};
 use schuler_simulator::ensemble::batches::Means;
@@ -22,18 +22,6 @@ pub fn merge(args: &MergeArgs) -> Result<(), FlightError> {
         Some(header) if header.aided => merge_as(args, aided::conclude),
         _ => merge_as(args, conclude),
     }
-}
-
-/// What was put together, and how it is to be told.
-pub struct Merged<'a> {
-    /// What was asked for.
-    pub args: &'a MergeArgs,
-    /// The command of the whole.
-    pub whole: &'a EnsembleArgs,
-    /// The scene, and where runs start.
-    pub ground: &'a Ground<'a>,
-    /// Samples taken at each reading.
-    pub stops: &'a [u64],
 }
 
 fn merge_as<C: Content>(

@@ -4,8 +4,9 @@
 //! A term's random numbers do not depend on the other terms, so a run without a term is the same run otherwise. Where a
 //! measurement is refused in one of the two and not in the other, that is part of the difference.
 
+use super::batches::{Means, fly_range};
 use super::kept::AidedRuns;
-use super::runs::{Means, Scenes, fly_range};
+use super::runs::Scenes;
 use crate::ensemble::budget::{Contribution, moments, terms};
 use crate::ensemble::part::block::Content as _;
 use crate::input::InputError;

@@ -2,8 +2,7 @@
 
 use super::report::{Count, Report, name};
 use super::runs::{GROUPS, Read, Run};
-use crate::ensemble::kept::Unfit;
-use crate::ensemble::part::block::{Content, Line};
+use crate::ensemble::part::block::{Content, Line, Unfit};
 use schuler::aiding::aided::fault::AidedFault;
 use schuler::aiding::aided::measured::Sensor;
 use schuler::link::refusal::Refusal;

@@ -11,12 +11,14 @@
 //! | [`seen`], [`smoother`] | its verdicts and steps, and what all measurements together say of them |
 //! | [`vehicle`] | one run's navigator with its measurements |
 //! | [`runs`] | many runs: their errors beside what their filters say |
+//! | [`batches`] | so many of them, some at a time |
 //! | [`budget`] | what each error term contributes to their errors |
 //! | [`kept`] | what is kept of them, for parts of an ensemble |
 //! | [`report`] | what became of measurements |
 //! | [`estimates`] | what the filter estimates beside the motion |
 //! | [`rows`] | states with their standard deviations, as files have them |
 
+pub mod batches;
 pub mod budget;
 pub mod columns;
 pub mod estimates;

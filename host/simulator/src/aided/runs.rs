@@ -1,12 +1,10 @@
 //! Many runs: their errors beside what their filters say.
 
-use super::kept::{AidedRuns, Failure};
 use super::report::{Count, Report};
 use super::smoother::Smoothed;
 use super::vehicle::AidedVehicle;
 use super::{measurements, navigator};
 use crate::input::InputError;
-use crate::parallel;
 use crate::quadratic::{by_chance, quadratic};
 use crate::scene::Scene;
 use crate::simulate::start;
@@ -15,7 +13,6 @@ use schuler::aiding::aided::fault::AidedFault;
 use schuler::drift::compare::drift;
 use schuler::math::vector::Vector;
 use schuler::solution::Solution;
-use std::ops::Range;
 
 /// A run at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,56 +97,6 @@ pub fn fly(scenes: Scenes, run: u64, stops: &[u64]) -> Result<Run, Ended> {
         false => Vec::new(),
     };
     Ok(Run { reads, smoothed, report: vehicle.report(), saturated: stream.saturated() })
-}
-
-/// How runs are flown.
-#[derive(Clone, Copy, Debug)]
-pub struct Means<'a> {
-    /// On so many threads.
-    pub threads: usize,
-    /// Read when so many samples have been integrated.
-    pub stops: &'a [u64],
-    /// Runs of a batch; some seconds' worth of them unless told.
-    pub batch: Option<u64>,
-}
-
-/// Samples of a batch, over its runs: some seconds.
-const SAMPLES: u64 = 4_000_000;
-/// Runs of a batch, at least.
-const FEWEST: u64 = 16;
-
-/// Flies the runs of a range of numbers; `done` gets each batch, in order, and `progress` how many have ended.
-pub fn fly_range<E: From<InputError>>(
-    scenes: Scenes,
-    runs: Range<u64>,
-    means: Means,
-    progress: &(dyn Fn(u64) + Sync),
-    done: &mut dyn FnMut(AidedRuns) -> Result<(), E>,
-) -> Result<(), E> {
-    let Means { threads, stops, batch } = means;
-    let size = batch.unwrap_or_else(|| (SAMPLES / scenes.flown.samples().max(1)).max(FEWEST));
-    let one = |run| match fly(scenes, run, stops) {
-        Ok(run) => Ok(Ok(run)),
-        Err(Ended::Sample(sample, why)) => Ok(Err(Failure { run, sample, why })),
-        Err(Ended::Start(error)) => Err(error),
-    };
-    let mut first = runs.start;
-    while first < runs.end {
-        let numbers = first..runs.end.min(first.saturating_add(size.max(1)));
-        let so_far = first - runs.start;
-        let reach = |flown: u64| progress(so_far + flown);
-        let flown = parallel::all(numbers.clone(), threads, &one, &reach);
-        let mut batch = AidedRuns { numbers, ended: Vec::new(), failed: Vec::new() };
-        for run in flown.map_err(|(_, error)| error)? {
-            match run {
-                Ok(run) => batch.ended.push(run),
-                Err(failure) => batch.failed.push(failure),
-            }
-        }
-        first = batch.numbers.end;
-        done(batch)?;
-    }
-    Ok(())
 }
 
 fn read(vehicle: &AidedVehicle, source: &Source) -> Read {

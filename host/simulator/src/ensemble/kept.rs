@@ -1,7 +1,7 @@
 //! The values that are kept of every run, and their concatenation by the runs' numbers.
 
 use super::fleet::{Flown, Reading};
-use super::part::block::{Content, Line};
+use super::part::block::{Content, Line, Unfit};
 use super::runs::Failure;
 use schuler::drift::compare::Drift;
 use schuler::drift::linear::ErrorState;
@@ -18,20 +18,6 @@ pub struct Kept {
     pub runs: Range<u64>,
     /// Every run's drift at the chosen instants; no reading where no run has reached its end.
     pub flown: Flown,
-}
-
-/// Parts that do not fit one another.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unfit {
-    /// The later part begins with another run than the one after the last.
-    Runs {
-        /// The run that should be the first.
-        next: u64,
-        /// The run that is.
-        first: u64,
-    },
-    /// They were read at other instants.
-    Instants,
 }
 
 impl Kept {

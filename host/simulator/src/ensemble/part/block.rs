@@ -1,11 +1,24 @@
 //! A block of runs in bytes: its line, and the numbers behind it.
 
-use super::super::kept::Unfit;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// Bytes of a number.
 const NUMBER: usize = 8;
+
+/// Parts that do not fit one another.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unfit {
+    /// The later part begins with another run than the one after the last.
+    Runs {
+        /// The run that should be the first.
+        next: u64,
+        /// The run that is.
+        first: u64,
+    },
+    /// They were read at other instants.
+    Instants,
+}
 
 /// Runs of consecutive numbers, as a part has them.
 pub trait Content: Sized {

@@ -1,7 +1,6 @@
 //! A part read back. Whatever is not as it was written is refused, with its place.
 
-use super::super::kept::Unfit;
-use super::block::{self, Content, Line};
+use super::block::{self, Content, Line, Unfit};
 use super::header::{FORM, Header, KIND, hex};
 use crate::input::{Complaint, InputError};
 use sha2::{Digest as _, Sha256};

@@ -3,6 +3,7 @@
 //! | file | what it has |
 //! |---|---|
 //! | [`segment`] | what a scene says of one manoeuvre |
+//! | [`extent`] | how long, how far, how fast, how tight |
 //! | [`check`] | its numbers, checked before anything moves |
 //! | `climb`, `turn` | how a climb and a turn are divided |
 //!
@@ -38,6 +39,7 @@
 
 pub mod check;
 mod climb;
+pub mod extent;
 pub mod segment;
 mod turn;
 

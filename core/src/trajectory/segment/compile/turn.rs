@@ -3,7 +3,7 @@
 //! χ̇ = γ tan(bank)/|V| or |V|/R. Either blend T turns by ½χ̇T, so a turn by θ stays |θ|/χ̇ − T at its rate; if
 //! that is below 0, χ̇ = |θ|/T turns it in two blends.
 
-use super::segment::{Amount, Tightness, Way};
+use super::extent::{Amount, Tightness, Way};
 use crate::earth::{self, EQUATORIAL_GRAVITY};
 use crate::math::real::Real;
 use crate::trajectory::segment::control::{Control, Controls};

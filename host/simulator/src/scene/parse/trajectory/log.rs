@@ -2,6 +2,7 @@
 
 use super::path::{Lie, MOST_ROWS, Made, along, lie, made, unflyable};
 use super::points::{near_origin, radians, swapped};
+use super::through::pieces;
 use super::{positions, thinned};
 use crate::course::Path;
 use crate::input::document::{Section, Value};
@@ -16,13 +17,10 @@ use crate::scene::route::Origin;
 use crate::units::DEGREE;
 use schuler::earth::Geodetic;
 use schuler::solution::Euler;
-use schuler::trajectory::log::{Log, LogError, Noise, Outcome, Part, compile, rows};
-use schuler::trajectory::piecewise::piece::Piece;
+use schuler::trajectory::log::{Log, LogError, Noise, Outcome, Part, rows};
 use schuler::trajectory::piecewise::{Attitude, Piecewise};
 use schuler::trajectory::segment::attitude::AttitudeRule;
 use schuler::trajectory::spline::place::Pace;
-use schuler::trajectory::spline::smooth::Workspace;
-use schuler::trajectory::spline::{BAND, EXTRA};
 use std::sync::Arc;
 
 const COLUMNS: [Column; 7] = [
@@ -132,17 +130,6 @@ pub fn read(root: &Section<'_>, scene: &str) -> Result<Made, InputError> {
         Piecewise::new(pieces, along).map_err(|error| value.error(unflyable(error, attitude)))?;
     let origin = Origin::Log { file: log.file.clone(), rows: count, outcome };
     Ok(made(Path::Spline(Arc::new(path)), origin, attitude))
-}
-
-/// The pieces of a path by all rows.
-pub(super) fn pieces(rows: &Log<'_>) -> Result<(Vec<Piece<8>>, Outcome), LogError> {
-    let room = rows.times_s.len() + EXTRA;
-    let (mut gram, mut factors) = (vec![[0.0; BAND]; room], vec![[0.0; BAND]; room]);
-    let mut right = vec![[0.0; 4]; room];
-    let (mut position, mut turning) = (right.clone(), right.clone());
-    let workspace = Workspace { gram: &mut gram, factors: &mut factors, right: &mut right };
-    let (path, outcome) = compile(rows, rows.times_s, workspace, &mut position, &mut turning)?;
-    Ok(((0..path.pieces()).filter_map(|index| path.piece(index)).collect(), outcome))
 }
 
 /// The rows of the file that a table names.

@@ -9,6 +9,7 @@ mod points;
 mod positions;
 mod segments;
 mod thinned;
+mod through;
 mod waypoints;
 
 use crate::input::document::Section;

@@ -3,7 +3,7 @@
 //! Rows a hundredth of a second apart hold the motion and the rounding of their numbers. A path through every
 //! one would follow the rounding, with a vibration at half the rows' rate that no sampling resolves.
 
-use super::log::pieces;
+use super::through::pieces;
 use schuler::earth::SEMI_MAJOR_AXIS;
 use schuler::trajectory::log::{Log, Noise};
 use schuler::trajectory::piecewise::piece::Piece;

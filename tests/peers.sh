@@ -36,7 +36,8 @@ fi
 emulate() {
     local run here
     for ((run = 0; run < flights; run++)); do
-        here=$folder/$1/$run
+        # In the order of their numbers for every *.
+        here=$folder/$1/$(printf '%04d' "$run")
         mkdir -p "$here"
         cp "$folder/$1.toml" "$here/scene.toml"
         "$SCHULER" emulate "$here/scene.toml" --run "$run" --out "$here/imu.csv" --gnss "$here/gnss.csv" \
@@ -75,7 +76,7 @@ fi
 python=
 if [ "${PYINS:-}" != no ]; then
     # Where it cannot be had, that is said, and `python` stays empty.
-    python=$(python_with peers python-ins==1.0.1 numba==0.68.1 numpy==2.4.6 pandas==3.1.1 scipy==1.17.1 >&2 && echo "$python")
+    python=$(python_with pyins python-ins==1.0.1 numba==0.68.1 numpy==2.4.6 pandas==3.1.1 scipy==1.17.1 >&2 && echo "$python")
 fi
 if [ -n "$python" ]; then
     # A process for each of two processors; none of them takes more.

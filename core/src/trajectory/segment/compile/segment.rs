@@ -33,7 +33,6 @@
 
 pub use super::extent::{Amount, Length, Pace, Tightness, Way};
 use super::{climb, turn};
-use crate::math::real::Real;
 use crate::trajectory::segment::control::{Control, Controls, Line};
 use crate::trajectory::segment::fault::Fault;
 use crate::trajectory::segment::state::State;

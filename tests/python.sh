@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The Python package: its wheel in a clean environment with the README's use, every bit beside the program's, its
 # stubs, threads, examples and the notebook. Without Python or its packages it skips with a line that says so; with CI
-# set nothing may be missing. SCHULER may name the program, built already, and WHEEL the folder of a wheel.
+# set nothing may be missing. SCHULER may name the program, built already, WHEEL the folder of a wheel, and PROFILE
+# another profile than the package's own to build it with: `release` shares what the program is built from.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/venv.sh
@@ -11,8 +12,10 @@ fail() {
     exit 1
 }
 
-# The wheel's bytes, at most.
+profile=${PROFILE:-wheel}
+# The wheel's bytes, at most; with another profile than its own that is of no interest.
 most=3700000
+[ "$profile" = wheel ] || most=5000000
 
 if ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
     [ -z "${CI:-}" ] || install python3 python3-venv || fail "no Python from 3.11 on"
@@ -28,7 +31,7 @@ if [ -z "${WHEEL:-}" ]; then
     # Functions that are alike stand side by side, where the linker can do that: an archive of them is smaller.
     order=(-Clink-arg=-Wl,--bp-compression-sort=both)
     rustc --crate-type cdylib "${order[@]}" -o "$out/order.so" - </dev/null 2>/dev/null || order=()
-    "$python" -m maturin build --quiet --locked --interpreter "$python" --compression-level 9 \
+    "$python" -m maturin build --quiet --profile "$profile" --locked --interpreter "$python" --compression-level 9 \
         --manifest-path host/python/Cargo.toml --out "$wheels" -- ${order[@]+"${order[@]}"}
 fi
 wheel=$(echo "$wheels"/*.whl)

@@ -23,7 +23,8 @@ use schuler_simulator::ensemble::group::{Ground, Unit};
 use schuler_simulator::ensemble::kept::Kept;
 use schuler_simulator::ensemble::part::block::Content as _;
 use schuler_simulator::flight::Nine;
-use schuler_simulator::scene::{Scene as Asked, WindowShape};
+use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::scene::{Scene as Flown, WindowShape};
 use schuler_simulator::simulate::{FlightError, nine};
 use schuler_simulator::source::Source;
 
@@ -66,7 +67,7 @@ pub struct Ensemble {
 
 /// What comes of it, without the interpreter.
 struct Found {
-    scene: Asked,
+    scene: Flown,
     kept: Kept,
     times_s: Vec<f64>,
     findings: Findings,
@@ -159,6 +160,30 @@ pub fn ensemble(
     threads: Option<&Bound<'_, PyAny>>,
     options: Option<&Bound<'_, PyDict>>,
 ) -> Answer<Ensemble> {
+    let Asked { scene, args } = asked([scene, runs, at, budget, threads], options)?;
+    if scene.aiding.is_there() {
+        let complaint = Complaint::new("is aided", "aided_ensemble(), or a scene that is not");
+        return Err(InputError::option("scene", complaint).into());
+    }
+    let mut watch = Watch::new();
+    let found = py.detach(|| Found::new(scene, &args, &mut watch));
+    watch.raised()?;
+    found?.ensemble(py)
+}
+
+/// A scene with its options, and the command line that flies it.
+pub struct Asked {
+    /// What is flown.
+    pub scene: Flown,
+    /// How often, read when.
+    pub args: EnsembleArgs,
+}
+
+/// From the arguments scene, runs, at, budget, threads, and options.
+pub fn asked(
+    [scene, runs, at, budget, threads]: [Option<&Bound<'_, PyAny>>; 5],
+    options: Option<&Bound<'_, PyDict>>,
+) -> Answer<Asked> {
     let options = Options::among(OF_ENSEMBLE, options)?;
     let mut scene = scene::of(scene, None)?;
     options.apply(&mut scene)?;
@@ -182,10 +207,7 @@ pub fn ensemble(
     };
     args.check(&scene)?;
     check(&scene)?;
-    let mut watch = Watch::new();
-    let found = py.detach(|| Found::new(scene, &args, &mut watch));
-    watch.raised()?;
-    found?.ensemble(py)
+    Ok(Asked { scene, args })
 }
 
 /// Runs, unless told.
@@ -204,7 +226,7 @@ fn times(at: Option<&Bound<'_, PyAny>>) -> Answer<Option<Times>> {
 }
 
 impl Found {
-    fn new(scene: Asked, args: &EnsembleArgs, watch: &mut Watch) -> Result<Self, FlightError> {
+    fn new(scene: Flown, args: &EnsembleArgs, watch: &mut Watch) -> Result<Self, FlightError> {
         let source = Source::new(&scene, false)?;
         let ground = Ground::new(&scene, &source);
         let stops = stops(&ground, &args.at);

@@ -14,6 +14,7 @@
 #![cfg(feature = "module")]
 
 mod aided;
+mod aided_ensemble;
 mod aiding;
 mod align;
 mod allan;
@@ -47,6 +48,8 @@ mod _schuler {
 
     #[pymodule_export]
     use super::aided::Aided;
+    #[pymodule_export]
+    use super::aided_ensemble::{AidedEnsemble, aided_ensemble};
     #[pymodule_export]
     use super::align::{Aligned, align};
     #[pymodule_export]

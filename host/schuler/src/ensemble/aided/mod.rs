@@ -31,6 +31,7 @@ use schuler_simulator::ensemble::part::header::Header;
 use schuler_simulator::number::{rounded, short};
 use schuler_simulator::output::{GrowingFile, say};
 use schuler_simulator::progress::Progress;
+use schuler_simulator::scene::Scene;
 use schuler_simulator::simulate::FlightError;
 use std::path::PathBuf;
 
@@ -140,14 +141,16 @@ impl Conclusion<'_> {
         note: &str,
         served: &[PathBuf],
     ) -> Result<(), FlightError> {
-        let budget = self.shares(&kept)?;
-        let Self { ground, whole, extra, budget: wanted, folder, .. } = self;
+        let Self { ground, whole, means, extra, budget, folder } = self;
         let (scene, runs) = (ground.scene, kept.numbers.end);
+        let progress = Progress::new(budget.map_or(0, |_| of_scene(scene).len() as u64));
+        let shares = shares(scene, &kept, budget, means, &|done| progress.reach(done))?;
+        progress.finish();
         let failed = kept.failed.len();
-        let findings = Findings::new(&kept, scene.rate_hz, budget);
+        let findings = Findings::new(&kept, scene.rate_hz, shares);
         let sentences = findings.sentences();
         let verdict = findings.verdict;
-        let command = command(whole, extra, wanted);
+        let command = command(whole, extra, budget);
         let told = Told {
             scene,
             command: &command,
@@ -162,37 +165,43 @@ impl Conclusion<'_> {
         };
         files.finish(&told, &findings)?;
         served.iter().try_for_each(|part| GrowingFile::remove(part))?;
-        say(&format!(
-            "{}: {runs} runs\n\n{}{}{note}written to {}\n",
-            scene.name,
-            table::text(&findings, &sentences),
-            failures(&kept, scene.seed, scene.rate_hz),
-            folder.display()
-        ))?;
+        let text = text(scene, &kept, &findings, &sentences);
+        say(&format!("{text}{note}written to {}\n", folder.display()))?;
         match findings.too_sure() {
             _ if failed > 0 => Err(FlightError::Runs { failed, runs }),
             0 => Ok(()),
             failed => Err(FlightError::Failed { failed, checks: verdict.tests }),
         }
     }
+}
 
-    /// What each error term contributes, where that is asked for.
-    fn shares(&self, kept: &AidedRuns) -> Result<Vec<Share>, FlightError> {
-        let Some(runs) = self.budget.filter(|_| !kept.ended.is_empty()) else {
-            return Ok(Vec::new());
-        };
-        let terms = of_scene(self.ground.scene);
-        let progress = Progress::new(terms.len() as u64);
-        let mut shares = Vec::new();
-        for term in &terms {
-            let runs =
-                by_switching_off::<FlightError>(self.ground.scene, term, kept, runs, self.means)?;
-            shares.push(Share { name: term.name.clone(), theory: Vec::new(), runs });
-            progress.reach(shares.len() as u64);
-        }
-        progress.finish();
-        Ok(shares)
+/// What each error term contributes, by flying so many runs without it; `progress` gets how many terms are done.
+pub fn shares(
+    scene: &Scene,
+    kept: &AidedRuns,
+    budget: Option<u64>,
+    means: Means,
+    progress: &dyn Fn(u64),
+) -> Result<Vec<Share>, FlightError> {
+    let Some(runs) = budget.filter(|_| !kept.ended.is_empty()) else { return Ok(Vec::new()) };
+    let mut shares = Vec::new();
+    for term in of_scene(scene) {
+        let runs = by_switching_off::<FlightError>(scene, &term, kept, runs, means)?;
+        shares.push(Share { name: term.name, theory: Vec::new(), runs });
+        progress(shares.len() as u64);
     }
+    Ok(shares)
+}
+
+/// What is said of them.
+pub fn text(scene: &Scene, kept: &AidedRuns, findings: &Findings, sentences: &[String]) -> String {
+    format!(
+        "{}: {} runs\n\n{}{}",
+        scene.name,
+        kept.numbers.end,
+        table::text(findings, sentences),
+        failures(kept, scene.seed, scene.rate_hz)
+    )
 }
 
 /// The runs that did not reach their end: which, where and why.

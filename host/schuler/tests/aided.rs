@@ -109,8 +109,10 @@ fn outliers_are_refused_and_a_forged_position_locks_the_receiver_out() {
 #[test]
 fn every_sensor_aids() {
     let folder = tempfile::tempdir().unwrap();
-    let text = builtin::text("aided-drive").unwrap().replace("lever_arm_m = [0.5, -0.3, -1]\n", "");
-    let barometer = text.clone() + "[barometer]\nnoise_m = 0.2\nbias_m = 2\n";
+    let text = builtin::text("aided-drive").unwrap();
+    // Its port is not at the antenna.
+    let barometer =
+        text.to_owned() + "\n[barometer]\nnoise_m = 0.2\nbias_m = 2\nlever_arm_m = [2, 0, 10]\n";
     let standing = "duration_s = 60\nrate_hz = 100\n[trajectory]\nlatitude_deg = 45\n[gyro]\nturn_on_bias_deg_h = 10\n\
         angle_random_walk_deg_sqrt_h = 0.1\n[accelerometer]\nturn_on_bias_ug = 100\nvelocity_random_walk_m_s_sqrt_h = 0.05\n\
         [initial_error]\nnorth_m_sigma = 1\neast_m_sigma = 1\ndown_m_sigma = 1\nnorth_m_s_sigma = 0.1\neast_m_s_sigma = 0.1\n\
@@ -182,6 +184,9 @@ fn what_cannot_be_aided_says_why() {
     says("[gnss]\nrate = 1\n", &run, &["gnss.rate", "did you mean"]);
     says("[gnss]\n[navigator]\nvertical = \"held\"\n", &run, &["navigator.vertical", "barometer"]);
     says("[gnss]\n[navigator]\nprecision = \"f32x2\"\n", &run, &["navigator.precision", "\"f32\""]);
+    says("[gnss]\nrate_hz = 201\n", &run, &["gnss.rate_hz", "at most 200"]);
+    says("[gnss]\n[filter]\nhorizon_s = 13\n", &run, &["s.toml", "horizon_s", "12.8"]);
+    says("[gnss]\n", &["run", "s.toml", "--vertical", "held"], &["--vertical", "barometer"]);
     says("[gnss]\n[link]\nloss = 0.1\n", &run, &["link", "takes every sample"]);
     says(
         "[gnss]\n[alignment]\nduration_s = 5\n",

@@ -47,6 +47,9 @@ fn is_cheaper(window: WindowShape, other: WindowShape) -> bool {
     window.history + window.lookahead < other.history + other.lookahead
 }
 
+/// What an aided navigator flies: a filter corrects it at the end of each block, so it cannot look ahead.
+pub const AIDED: WindowShape = WindowShape::new(0, 4, 0);
+
 /// Twelve samples about a block of four.
 const WIDEST: WindowShape = WindowShape::new(4, 4, 4);
 
@@ -95,6 +98,9 @@ impl Plan {
         if navigator.algorithm != Algorithm::Taylor {
             let (window, order) = (plan::UNKNOWN, plan::HIGHEST_ORDER);
             return Self { window, order, trial: None, force_all };
+        }
+        if scene.aiding.is_there() {
+            return Self { window: AIDED, order: plan::HIGHEST_ORDER, trial: None, force_all };
         }
         // A run that skips nothing chooses by the same samples.
         let plain = if force_all { Source::new(scene, false).ok() } else { None };
@@ -243,7 +249,7 @@ impl Plan {
     /// The plan with the widest window, or else the whole series, where this one has less: what that
     /// leaves out, and why.
     fn unreduced(&self, scene: &Scene) -> Option<(Self, String, &'static str)> {
-        if scene.navigator.algorithm != Algorithm::Taylor {
+        if scene.navigator.algorithm != Algorithm::Taylor || scene.aiding.is_there() {
             return None;
         }
         let full = Self { order: plan::HIGHEST_ORDER, ..*self };

@@ -36,7 +36,7 @@ type Change = fn(&mut Settings<f64>);
 
 #[test]
 fn settings_are_checked() {
-    let faults: [(Change, AidedFault); 10] = [
+    let faults: [(Change, AidedFault); 11] = [
         (|s| s.horizon_samples = Some(161), AidedFault::Horizon),
         (|s| s.start.heading_rad = 0.0, AidedFault::Settings),
         (|s| s.start.position_m = f64::NAN, AidedFault::Settings),
@@ -51,6 +51,7 @@ fn settings_are_checked() {
         ),
         (|s| s.lever_b = Vector::new(0.0, 101.0, 0.0), AidedFault::Lever),
         (|s| s.odometer_lever_b.z = f64::NAN, AidedFault::Lever),
+        (|s| s.barometer_lever_b.y = 101.0, AidedFault::Lever),
     ];
     for (n, (change, fault)) in faults.into_iter().enumerate() {
         assert_eq!(aided(change).err(), Some(fault), "{n}");

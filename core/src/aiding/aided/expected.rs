@@ -27,7 +27,7 @@ pub struct Expected<'a, R> {
     /// Their estimates.
     pub extras: &'a [R],
     /// The lever arms that the settings have.
-    pub levers_b: [Vector<R>; 2],
+    pub levers_b: [Vector<R>; 3],
 }
 
 impl<R: Scalar> Expected<'_, R> {
@@ -39,7 +39,7 @@ impl<R: Scalar> Expected<'_, R> {
 
     /// The antenna's lever arm with its estimated error.
     fn lever(&self) -> Vector<R> {
-        let [lever, _] = self.levers_b;
+        let [lever, ..] = self.levers_b;
         let Some(first) = self.places.lever_arm else { return lever };
         let at = |n: usize| self.estimate(Some(first + n));
         lever + Vector::new(at(0), at(1), at(2))
@@ -142,7 +142,7 @@ impl<R: Scalar> Expected<'_, R> {
     /// A barometer's height.
     pub fn height<const N: usize>(&self, measured: &Measured<R>) -> Rows<R, N, 1> {
         let Moment { base, way_ned, pose, .. } = self.moment;
-        let [lever, _] = self.levers_b;
+        let [.., lever] = self.levers_b;
         let down_b = pose.to_body(Vector::new(R::ZERO, R::ZERO, R::ONE));
         let above = (base.altitude - measured.position.altitude).hi;
         let bias = self.estimate(self.places.barometer_bias);
@@ -157,7 +157,7 @@ impl<R: Scalar> Expected<'_, R> {
 
     /// The velocity at the odometer, in body axes.
     fn along_body<const N: usize>(&self) -> (Vector<R>, Rows<R, N, 3>) {
-        let [_, lever] = self.levers_b;
+        let [_, lever, _] = self.levers_b;
         let pose = &self.moment.pose;
         let velocity = self.velocity_b(lever);
         let centre = pose.to_body(pose.velocity_ned);

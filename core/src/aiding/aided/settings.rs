@@ -144,8 +144,10 @@ pub struct Settings<R> {
     pub states: States<R>,
     /// First uncertainties.
     pub start: Start<R>,
-    /// From the inertial unit to the antenna and the barometer, in body axes, m.
+    /// From the inertial unit to the antenna, in body axes, m.
     pub lever_b: Vector<R>,
+    /// From the inertial unit to the barometer's port, m.
+    pub barometer_lever_b: Vector<R>,
     /// From the inertial unit to the odometer: where wheels do not slip sideways, m.
     pub odometer_lever_b: Vector<R>,
     /// How often a vector that fits is refused.
@@ -168,6 +170,7 @@ impl<R: Real> Settings<R> {
             states,
             start,
             lever_b: Vector::ZERO,
+            barometer_lever_b: Vector::ZERO,
             odometer_lever_b: Vector::ZERO,
             false_refusal: R::of(1e-4),
             patience: 5,
@@ -227,7 +230,8 @@ impl<R: Scalar> Settings<R> {
             return Err(AidedFault::Settings);
         }
         let most = R::of(LONGEST_LEVER);
-        if ![self.lever_b, self.odometer_lever_b].into_iter().all(|l| l.norm().is_within(most)) {
+        let levers = [self.lever_b, self.odometer_lever_b, self.barometer_lever_b];
+        if !levers.into_iter().all(|lever| lever.norm().is_within(most)) {
             return Err(AidedFault::Lever);
         }
         Ok(Limits::new(self.false_refusal))

@@ -9,7 +9,8 @@
 //! | 9 | a lockout changes nothing |
 //! | 10 | there is a horizon |
 //!
-//! Then come the counts and the numbers; those that are not needed are 0.
+//! Above them, from bit 32 on, is how many refusals are a lockout. Then come the horizon and the numbers; those that are
+//! not needed are 0.
 
 use super::settings::{Lockout, Settings, Start, States};
 use crate::aiding::states::Process;
@@ -42,8 +43,7 @@ fn process<R: Real>(kind: u32, [sigma, other]: [R; 2]) -> Option<Process<R>> {
 
 /// What settings are in words, in their order.
 struct Words<R> {
-    codes: u32,
-    patience: u32,
+    codes: u64,
     horizon_samples: u32,
     noise: [R; 2],
     processes: [[R; 2]; 3],
@@ -51,7 +51,7 @@ struct Words<R> {
     latency: R,
     odometer_scale: [R; 2],
     start: [R; 4],
-    levers: [Vector<R>; 2],
+    levers: [Vector<R>; 3],
     false_refusal: R,
     step_s: R,
 }
@@ -59,7 +59,6 @@ struct Words<R> {
 impl<R: Record> Record for Words<R> {
     crate::record::record!(
         codes,
-        patience,
         horizon_samples,
         noise,
         processes,
@@ -75,7 +74,7 @@ impl<R: Record> Record for Words<R> {
 
 impl<R: Real> From<&Settings<R>> for Words<R> {
     fn from(settings: &Settings<R>) -> Self {
-        let Settings { states, start, lever_b, odometer_lever_b, .. } = settings;
+        let Settings { states, start, lever_b, odometer_lever_b, barometer_lever_b, .. } = settings;
         let Settings { false_refusal, patience, lockout, horizon_samples, step_s, .. } = *settings;
         let (gyro, gyro_numbers) = parts(Some(states.gyro_bias));
         let (accelerometer, accelerometer_numbers) = parts(Some(states.accelerometer_bias));
@@ -90,8 +89,7 @@ impl<R: Real> From<&Settings<R>> for Words<R> {
             | flag(9, lockout == Lockout::Keep)
             | flag(10, horizon_samples.is_some());
         Self {
-            codes,
-            patience,
+            codes: u64::from(codes) | u64::from(patience) << 32,
             horizon_samples: horizon_samples.unwrap_or(0),
             noise: [states.gyro_noise, states.accelerometer_noise],
             processes: [gyro_numbers, accelerometer_numbers, barometer_numbers],
@@ -99,7 +97,7 @@ impl<R: Real> From<&Settings<R>> for Words<R> {
             latency: states.latency.map_or(R::ZERO, |x| x.sigma_s),
             odometer_scale: states.odometer_scale.map_or([R::ZERO; 2], |x| [x.sigma, x.per_root_s]),
             start: [start.position_m, start.velocity_m_s, start.level_rad, start.heading_rad],
-            levers: [*lever_b, *odometer_lever_b],
+            levers: [*lever_b, *odometer_lever_b, *barometer_lever_b],
             false_refusal,
             step_s,
         }
@@ -108,15 +106,16 @@ impl<R: Real> From<&Settings<R>> for Words<R> {
 
 impl<R: Real> From<Words<R>> for Settings<R> {
     fn from(words: Words<R>) -> Self {
-        let Words { codes, patience, horizon_samples, noise, processes, start, levers, .. } = words;
+        let Words { codes, horizon_samples, noise, processes, start, levers, .. } = words;
         let Words { lever_arm, latency, odometer_scale, false_refusal, step_s, .. } = words;
+        let (codes, patience) = (codes as u32, (codes >> 32) as u32);
         let is_set = |bit: u32| codes >> bit & 1 == 1;
         let [gyro_noise, accelerometer_noise] = noise;
         let [gyro, accelerometer, barometer] = processes;
         let none = Process::constant(R::ZERO);
         let [sigma, per_root_s] = odometer_scale;
         let [position_m, velocity_m_s, level_rad, heading_rad] = start;
-        let [lever_b, odometer_lever_b] = levers;
+        let [lever_b, odometer_lever_b, barometer_lever_b] = levers;
         Self {
             states: States {
                 gyro_noise,
@@ -131,6 +130,7 @@ impl<R: Real> From<Words<R>> for Settings<R> {
             start: Start { position_m, velocity_m_s, level_rad, heading_rad },
             lever_b,
             odometer_lever_b,
+            barometer_lever_b,
             false_refusal,
             patience,
             lockout: if is_set(9) { Lockout::Keep } else { Lockout::Inflate },
@@ -140,7 +140,7 @@ impl<R: Real> From<Words<R>> for Settings<R> {
     }
 }
 
-/// 27 words, always.
+/// 29 words, always: they fit a frame.
 impl<R: Real + Record> Record for Settings<R> {
     fn record(&self, name: &'static str, read: &mut impl FnMut(&'static str, u64)) {
         Words::from(self).record(name, read);

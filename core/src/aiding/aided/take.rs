@@ -58,7 +58,11 @@ where
             locality: &locality,
             places: self.places,
             extras: &extras,
-            levers_b: [self.settings.lever_b, self.settings.odometer_lever_b],
+            levers_b: [
+                self.settings.lever_b,
+                self.settings.odometer_lever_b,
+                self.settings.barometer_lever_b,
+            ],
         };
         let usual = self.limits.of(measured.kind);
         // While the heading is looked for, what the receiver says is believed; others are refused if they do not fit.

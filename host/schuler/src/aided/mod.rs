@@ -4,6 +4,9 @@ use schuler_simulator::aided::navigator::Found;
 use schuler_simulator::aided::report::{Compared, Count, Report};
 use schuler_simulator::number::rounded;
 
+/// Times that are named, at most.
+const NAMED: usize = 12;
+
 /// What became of the measurements, a line for each sensor.
 pub fn lines(report: &Report) -> String {
     let mut text: String = report.sensors.iter().map(line).collect();
@@ -15,13 +18,20 @@ pub fn lines(report: &Report) -> String {
     for (count, what) in odd.into_iter().filter(|(count, _)| *count > 0) {
         text += &format!("{count} measurements {what}\n");
     }
-    let times = |times: &[f64]| times.iter().map(|t| rounded(*t, 5)).collect::<Vec<_>>().join(", ");
+    let times = |times: &[f64]| {
+        let named: Vec<_> = times.iter().take(NAMED).map(|t| rounded(*t, 6)).collect();
+        let more = match times.len().saturating_sub(NAMED) {
+            0 => String::new(),
+            more => format!(" and {more} times more"),
+        };
+        named.join(", ") + " s" + &more
+    };
     text += &report.smoothed.as_ref().map(smoothed).unwrap_or_default();
     if !report.lockouts_s.is_empty() {
-        text += &format!("locked out at {} s\n", times(&report.lockouts_s));
+        text += &format!("locked out at {}\n", times(&report.lockouts_s));
     }
     if !report.restarts_s.is_empty() {
-        text += &format!("the heading was looked for again at {} s\n", times(&report.restarts_s));
+        text += &format!("the heading was looked for again at {}\n", times(&report.restarts_s));
     }
     text
 }
@@ -66,5 +76,13 @@ fn line(count: &Count) -> String {
             rounded(most, 3)
         )
     });
-    format!("{}: {} taken, {} refused{fits}\n", count.sensor, count.accepted, count.refused)
+    let lockouts = match count.lockouts {
+        0 => String::new(),
+        1 => ", locked out once".to_owned(),
+        times => format!(", locked out {times} times"),
+    };
+    format!(
+        "{}: {} taken, {} refused{lockouts}{fits}\n",
+        count.sensor, count.accepted, count.refused
+    )
 }

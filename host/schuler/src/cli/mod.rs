@@ -31,7 +31,7 @@ use apart::Written;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use schuler_simulator::input::InputError;
 use schuler_simulator::input::name::path_of;
-use schuler_simulator::scene::{self, Scene, builtin};
+use schuler_simulator::scene::{self, Scene, builtin, limits};
 use std::path::{Path, PathBuf};
 
 const ABOUT: &str = "Flies a strapdown inertial navigation system through a scene: \
@@ -241,5 +241,12 @@ fn load_beside(
     navigator.apply(&mut scene.navigator)?;
     handling.apply(&mut scene.navigator);
     start::check(&scene, name, navigator.frame)?;
+    // Options may have brought what does not go with aiding.
+    limits::aiding(&scene).map_err(|(key, complaint)| match key {
+        "navigator.vertical" if handling.vertical.is_some() => {
+            InputError::option("--vertical", complaint)
+        }
+        key => InputError::option(key, complaint),
+    })?;
     Ok(scene)
 }

@@ -140,6 +140,8 @@ impl ReplayArgs {
         let places = Places::new(&self.out, self.reference.is_some(), self.svg);
         let mut written = vec![Written::named("--out", &places.nav)];
         written.extend(self.mcap.as_deref().map(|mcap| Written::named("--mcap", mcap)));
+        let smooth = self.aiding.smooth.as_deref();
+        written.extend(smooth.map(|smooth| Written::named("--smooth", smooth)));
         for (what, path) in places.report_files() {
             written.push(Written { option: "--out", what, path });
         }

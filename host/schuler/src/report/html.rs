@@ -85,7 +85,11 @@ fn headline(flight: &Flight) -> String {
         cards.push(card(format!("{worst:+.2} σ"), what));
     }
     if let Some(time) = flight.time {
-        cards.push(card(format!("{:.0} ns", time.navigate_ns), "to navigate a sample"));
+        let what = match flight.aided {
+            Some(_) => "to navigate a sample, without the filter",
+            None => "to navigate a sample",
+        };
+        cards.push(card(format!("{:.0} ns", time.navigate_ns), what));
     }
     let [_, theory] = verdict::verdict(flight);
     format!("{}<p>{}</p>\n", page::cards(&cards), printed(&escape(&theory)))

@@ -51,6 +51,9 @@ fn what_cannot_be_is_told_with_its_place() {
         ("--gnss gnss.csv --lever-arm 1,2", "forward,right,down in metres"),
         ("--gnss gnss.csv --time-tag gnss.csv", "gnss.csv: is no file of time tags"),
         ("--withhold 1..2", "--gnss"),
+        ("--gnss gnss.csv --smooth gnss.csv", "--smooth: is the file that --gnss reads"),
+        ("--gnss gnss.csv --smooth imu.csv", "--smooth: is the file that --imu reads"),
+        ("--gnss gnss.csv --smooth n.csv", "--smooth: is the file that --out writes"),
     ] {
         let (code, _, errors) = ended(folder, &format!("replay {FROM} {line} --out n.csv"));
         assert!(code != Some(0) && errors.contains(expected), "{expected}\n{errors}");

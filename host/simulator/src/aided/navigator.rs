@@ -6,6 +6,7 @@ use super::seen::Seen;
 use super::settings;
 use super::smoother::{Smoothed, Steps};
 use crate::input::{Complaint, InputError};
+use crate::plan::AIDED;
 use crate::scene::{Algorithm, Axes, Navigator as Configuration, Precision, Scene};
 use schuler::aiding::aided::fault::AidedFault;
 use schuler::aiding::aided::measured::Measured;
@@ -22,7 +23,6 @@ use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::block::body::BodyMotion;
-use schuler::strapdown::block::window::{H0B4A0, Window as _};
 use schuler::strapdown::limits::StartError;
 use schuler::strapdown::mechanization::Mechanization;
 
@@ -110,7 +110,7 @@ pub fn begin(made: &Made<'_>, initial: &Solution<f64>) -> Result<Box<dyn Aids>, 
     if navigator.algorithm != Algorithm::Taylor {
         return refuse("navigator.algorithm", "an aided navigator is taylor", "\"taylor\"");
     }
-    if navigator.window.is_some_and(|window| window != H0B4A0::SHAPE) {
+    if navigator.window.is_some_and(|window| window != AIDED) {
         let what = "an aided navigator has a window without look-ahead: 0,4,0";
         return refuse("navigator.window", what, "\"auto\", \"0,4,0\"");
     }

@@ -99,6 +99,12 @@ pub fn name(sensor: Sensor) -> &'static str {
 }
 
 impl Report {
+    /// The same with times on a clock that shows so many seconds at the start.
+    pub fn since(self, start_s: f64) -> Self {
+        let on = |times: Vec<f64>| times.into_iter().map(|time_s| start_s + time_s).collect();
+        Self { lockouts_s: on(self.lockouts_s), restarts_s: on(self.restarts_s), ..self }
+    }
+
     /// Of all that was judged.
     pub fn new(
         judged: &[Judgement],

@@ -38,7 +38,8 @@ pub fn of(scene: &Scene) -> Settings<f64> {
     let lever_b = aiding.gnss.map(|gnss| gnss.lever_b);
     let port = aiding.barometer.map(|barometer| barometer.lever_b);
     Settings {
-        lever_b: lever_b.or(port).unwrap_or(Vector::ZERO),
+        lever_b: lever_b.unwrap_or(Vector::ZERO),
+        barometer_lever_b: port.unwrap_or(Vector::ZERO),
         odometer_lever_b: aiding.odometer.map_or(Vector::ZERO, |odometer| odometer.lever_b),
         false_refusal: filter.false_refusal,
         patience: filter.patience,
@@ -73,6 +74,7 @@ pub fn narrow<R: Scalar>(settings: &Settings<f64>) -> Settings<R> {
             heading_rad: of(heading_rad),
         },
         lever_b: settings.lever_b.map(of),
+        barometer_lever_b: settings.barometer_lever_b.map(of),
         odometer_lever_b: settings.odometer_lever_b.map(of),
         false_refusal: of(settings.false_refusal),
         patience: settings.patience,

@@ -191,8 +191,11 @@ pub fn check(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
     jitter(scene)
 }
 
+/// Measurements of a sensor per sample, at most.
+const MOST_PER_SAMPLE: f64 = 4.0;
+
 /// Refuses what does not go with aiding.
-fn aiding(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
+pub fn aiding(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
     if !scene.aiding.is_there() {
         return Ok(());
     }
@@ -208,6 +211,20 @@ fn aiding(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
     if scene.alignment.is_some() {
         let what = "comes before navigation without aiding: a filter aligns by its measurements";
         return refuse("alignment", what, "heading_sigma_deg in [filter]");
+    }
+    let aiding = &scene.aiding;
+    // Within a block, what many measurements correct is told apart to first order alone.
+    let intervals = [
+        ("gnss.rate_hz", aiding.gnss.map(|gnss| gnss.line.interval_s)),
+        ("barometer.rate_hz", aiding.barometer.map(|barometer| barometer.line.interval_s)),
+        ("odometer.rate_hz", aiding.odometer.map(|odometer| odometer.line.interval_s)),
+    ];
+    for (key, interval_s) in intervals {
+        let most_hz = MOST_PER_SAMPLE * scene.rate_hz;
+        if interval_s.is_some_and(|interval_s| interval_s * most_hz < 1.0 - 1e-9) {
+            let accepted = format!("at most {most_hz}: four measurements per sample");
+            return refuse(key, "is too fast beside the samples", &accepted);
+        }
     }
     if scene.aiding.filter.smoother {
         // Measurements end steps, too; a receiver's of every sample at most.

@@ -24,7 +24,7 @@ use schuler::solution::Solution;
 fn settings_lead_back_from_their_words() {
     for settings in [simple(), full()] {
         let bytes = words(&settings);
-        assert_eq!(bytes.len(), 8 * 27);
+        assert_eq!(bytes.len(), 8 * 29);
         let mut rest = Bytes(&bytes);
         let other = if settings == simple() { full() } else { simple() };
         assert_eq!(rest.record(other), Some(settings));

@@ -58,6 +58,7 @@ fn full() -> Settings<f64> {
     Settings {
         lever_b: Vector::new(0.5, -0.3, -1.0),
         odometer_lever_b: Vector::new(-1.0, 0.7, 0.4),
+        barometer_lever_b: Vector::new(0.2, 0.1, -0.6),
         false_refusal: 1e-3,
         patience: 7,
         lockout: Lockout::Keep,

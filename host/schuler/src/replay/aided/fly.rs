@@ -224,7 +224,7 @@ impl Flying<'_> {
         if self.integrated > 0 {
             self.rows.correct(&navigator.solution(), navigator);
         }
-        let report = self.vehicle.report();
+        let report = self.vehicle.report().since(self.began.0);
         let mut text = crate::aided::lines(&report);
         text += &crate::aided::found(&navigator.found());
         if self.early > 0 {

@@ -6,6 +6,8 @@ use crate::table;
 
 const SECONDS: Range = Range::above(0.0, 1e6, "seconds, above 0 and at most 1e6");
 const DELAY: Range = Range::from_to(0.0, 60.0, "seconds, from 0 to 60");
+/// Half of what a filter remembers: 256 steps of 0.1 s.
+const WAIT: Range = Range::from_to(0.0, 12.8, "seconds, from 0 to 12.8");
 const HZ: Range = Range::above(0.0, 1e3, "measurements per second, above 0 and at most 1e3");
 /// A probability.
 pub const SHARE: Range = Range::from_to(0.0, 1.0, "a probability from 0 to 1");
@@ -95,7 +97,7 @@ table! {
     GATE = "false_refusal": Number(Range::from_to(1e-12, 0.4, "a probability from 1e-12 to 0.4")), "1e-4", "how often a measurement that fits is refused";
     PATIENCE = "patience": Said("an integer from 1 to 1000"), "5", "refusals in a row that are a lockout";
     LOCKOUT = "lockout": Said("\"inflate\", \"keep\""), "\"inflate\"", "what a lockout leads to: the filter doubts itself, or goes on refusing";
-    HORIZON = "horizon_s": Number(DELAY), "none", "how long measurements wait for others: bits then do not depend on transport";
+    HORIZON = "horizon_s": Number(WAIT), "none", "how long measurements wait for others: bits then do not depend on transport";
     SMOOTHER = "smoother": Said("true, false"), "false", "whether the flight is smoothed afterwards: what all measurements together say of every instant";
     START_POSITION = "position_sigma_m": Number(CLAIMED), "that of [initial_error]", "what the first position is good for";
     START_VELOCITY = "velocity_sigma_m_s": Number(CLAIMED), "that of [initial_error]", "what the first velocity is good for";

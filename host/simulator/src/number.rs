@@ -1,5 +1,16 @@
 //! Numbers for people: units with a fitting prefix, about four significant digits.
 
+/// So many of something, with the verb that goes with it: "1 sample is", "2 samples are".
+///
+/// ```
+/// use schuler_simulator::number::counted;
+/// assert_eq!(counted(1, "sample is", "samples are"), "1 sample is");
+/// assert_eq!(counted(0, "sample is", "samples are"), "0 samples are");
+/// ```
+pub fn counted(count: u64, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
+}
+
 /// What a number measures, in the unit of [`Nine`](crate::flight::Nine).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {

@@ -11,7 +11,7 @@ use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::recording::samples::{MOST_BRIDGED, Sample, Samples};
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::recording::timeline::Misfit;
-use schuler_simulator::rest::align;
+use schuler_simulator::rest::align::{self, Heading};
 use schuler_simulator::rest::fine::{Refined, Stretch};
 use schuler_simulator::scene::Gap as Policy;
 use schuler_simulator::simulate::FlightError;
@@ -94,7 +94,8 @@ pub(super) fn along<F: Flies>(
                         spans.check_first(&sample, begun)?;
                         let mut refined = None;
                         if args.align.is_some() {
-                            let heading = args.heading.map(|heading| heading * DEGREE);
+                            let stated = |heading| Heading::Known(heading * DEGREE);
+                            let heading = args.heading.map_or(Heading::FoundOrStated, stated);
                             let (name, kind) = (&recording.name, recording.kind);
                             let fine = stretch.as_ref();
                             (start, refined) = align::align(

@@ -248,6 +248,14 @@ fn what_is_wrong_is_told_in_options_that_align_has() {
             assert!(!is_option || option == "--help" || help.contains(option), "{option}: {said}");
         }
     }
+    // Line 50 is the sample before the one that is missed.
+    let holed: Vec<_> =
+        imu.lines().enumerate().filter(|(i, _)| *i != 50).map(|(_, line)| line).collect();
+    fs::write(folder.join("holed.csv"), holed.join("\n")).unwrap();
+    let (code, _, said) =
+        schuler(folder, &["align", "--imu", "holed.csv", "--initial", "place.toml"]);
+    let told = "holed.csv:51: 1 sample is missing before this one";
+    assert!(code == Some(1) && said.contains(told), "{said}");
     let (code, _, said) = schuler(folder, &["align"]);
     assert!(code == Some(2) && said.contains("--imu FILE") && said.contains("a scene"), "{said}");
 }

@@ -2,7 +2,7 @@
 
 use schuler_simulator::aided::navigator::Found;
 use schuler_simulator::aided::report::{Compared, Count, Report};
-use schuler_simulator::number::rounded;
+use schuler_simulator::number::{counted, rounded};
 
 /// What became of the measurements, a line for each sensor.
 pub fn lines(report: &Report) -> String {
@@ -13,7 +13,7 @@ pub fn lines(report: &Report) -> String {
         (report.dropped, "found no room"),
     ];
     for (count, what) in odd.into_iter().filter(|(count, _)| *count > 0) {
-        text += &format!("{count} measurements {what}\n");
+        text += &format!("{} {what}\n", counted(count, "measurement", "measurements"));
     }
     let times = |times: &[f64]| times.iter().map(|t| rounded(*t, 5)).collect::<Vec<_>>().join(", ");
     text += &report.smoothed.as_ref().map(smoothed).unwrap_or_default();

@@ -4,6 +4,7 @@ use super::bridged::Bridged;
 use super::spans::{Place, Spans};
 use crate::cli::ReplayArgs;
 use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::number::counted;
 use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::clock::Clock;
 use schuler_simulator::recording::navigation::NavigationRow;
@@ -148,7 +149,8 @@ fn bridgeable(
         return Ok(());
     }
     let what = format!(
-        "{missing} samples are missing before this one, {:.6} s",
+        "{} missing before this one, {:.6} s",
+        counted(missing, "sample is", "samples are"),
         missing as f64 * sample.interval_s
     );
     let complaint = if missing > MOST_BRIDGED {

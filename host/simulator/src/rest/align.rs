@@ -3,6 +3,7 @@
 use super::fine::{Refined, Stretch};
 use super::{warn, words};
 use crate::input::{Complaint, InputError};
+use crate::number::fixed;
 use crate::output::say;
 use crate::recording::navigation::NavigationRow;
 use crate::units::{DEGREE, DEGREE_PER_HOUR};
@@ -220,7 +221,7 @@ fn text(
     samples: usize,
     missing: u64,
 ) -> String {
-    let show = |angle: f64, sigma: f64| format!("{:.*}°", decimals(sigma / DEGREE), angle / DEGREE);
+    let show = |angle: f64, sigma: f64| fixed(angle / DEGREE, decimals(sigma / DEGREE)) + "°";
     let level = |angle| show(angle, quality.level_sigma);
     let lost = if missing > 0 { format!(", {missing} missing") } else { String::new() };
     let mut yaw = attitude.yaw.rem_euclid(360.0 * DEGREE);

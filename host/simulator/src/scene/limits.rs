@@ -202,7 +202,7 @@ fn aiding(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
         return refuse("navigator.vertical", "is held, and aiding finds it", accepted);
     }
     if scene.link.loss > 0.0 || scene.link.jitter_s > 0.0 {
-        let what = "an aided navigator takes every sample, at its time";
+        let what = "loses or shifts samples, and an aided navigator takes every one at its time";
         return refuse("link", what, "no loss and no jitter_s");
     }
     if scene.alignment.is_some() {

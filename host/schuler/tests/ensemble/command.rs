@@ -261,7 +261,7 @@ fn the_budget_fits_80_columns_and_its_columns_are_in_line() {
     let out = ensemble(folder.path(), "terms.toml --runs 4 --budget 4 --out out");
     let text = String::from_utf8(out.stdout).unwrap();
     let rows = text.lines().skip_while(|line| !line.starts_with("What the error"));
-    let rows: Vec<_> = rows.skip(2).take_while(|line| !line.is_empty()).collect();
+    let rows: Vec<_> = rows.skip(2).take_while(|line| !line.contains(" runs in ")).collect();
     for name in [
         "accelerometer velocity random walk",
         "accelerometer acceleration random walk",

@@ -5,7 +5,7 @@ use schuler_simulator::aided::columns::MeasurementWriter;
 use schuler_simulator::aided::measurements;
 use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::output::{self, OutputFile, much, say};
+use schuler_simulator::output::{self, OutputFile, much, say, say_error};
 use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow, NavigationWriter};
 use schuler_simulator::recording::writer::ImuWriter;
@@ -116,7 +116,7 @@ fn announce(args: &EmulateArgs, scene: &Scene) {
         [Some((args.out.as_path(), ImuWriter::COLUMNS)), truth].into_iter().flatten()
     {
         if let Some(much) = much(path, scene.samples(), columns) {
-            eprintln!("{much}; --rate and --duration make it less");
+            say_error(&format!("{much}; --rate and --duration make it less"));
         }
     }
 }

@@ -6,13 +6,14 @@ use schuler_host::{
     align, allan, audit, datasheet, emulate, ensemble, frontier, hil, replay, run, scenes, stress,
     trajectory,
 };
-use schuler_simulator::output::stop;
+use schuler_simulator::output::{say_error, stop, wrap};
 use schuler_simulator::simulate::FlightError;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     stop::watch();
-    let done = match Cli::parse().command() {
+    let cli = Cli::try_parse().unwrap_or_else(|error| refuse(&error));
+    let done = match cli.command() {
         Command::Run(args) => run::run(&args),
         Command::Emulate(args) => emulate::emulate(&args),
         Command::Replay(args) => replay::replay(&args),
@@ -31,7 +32,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("schuler: {error}");
+            say_error(&format!("schuler: {error}"));
             match error {
                 FlightError::Input(_) => ExitCode::from(2),
                 FlightError::Lost { .. }
@@ -42,5 +43,19 @@ fn main() -> ExitCode {
                 | FlightError::Stopped(_) => ExitCode::from(1),
             }
         }
+    }
+}
+
+/// Says what is wrong with the command line, or helps, and ends the program. What is too wide is plain, as colours have
+/// no width.
+fn refuse(error: &clap::Error) -> ! {
+    let text = error.to_string();
+    let text = text.trim_end();
+    match wrap::error_columns().filter(|_| error.use_stderr()) {
+        Some(columns) if text.lines().any(|line| line.chars().count() > columns) => {
+            say_error(text);
+            std::process::exit(error.exit_code())
+        }
+        _ => error.exit(),
     }
 }

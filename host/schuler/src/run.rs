@@ -6,7 +6,7 @@ use crate::cli::RunArgs;
 use crate::report::messages::Messages;
 use crate::report::{self, DriftCsv, FlightFiles, drift_csv, rows};
 use schuler_simulator::flight::{Flight, Instant};
-use schuler_simulator::output::{large_table, say};
+use schuler_simulator::output::{large_table, say, say_error};
 use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::navigation::COLUMNS;
 use schuler_simulator::scene::Scene;
@@ -21,7 +21,7 @@ pub fn run(args: &RunArgs) -> Result<(), FlightError> {
     report::files::tell_replaced(&directory);
     let (flight, end) = fly(args, &scene, &directory).inspect_err(|_| {
         if let Some(note) = report::files::of_earlier(&directory) {
-            eprintln!("{note}");
+            say_error(&note);
         }
     })?;
     let messages = args.mcap.as_deref().map(|file| format!(" and {}", file.display()));
@@ -54,7 +54,7 @@ fn fly(
     let tables = [(drift_csv::NAME, columns), (nav, COLUMNS.len()), (truth, COLUMNS.len())];
     for (name, columns) in tables.into_iter().take(if args.rows { 3 } else { 1 }) {
         if let Some(much) = large_table(&directory.join(name), rows, columns) {
-            eprintln!("{much}");
+            say_error(&much);
         }
     }
     let source = args.mcap.as_ref().map(|_| Source::new(scene, args.force_all)).transpose()?;

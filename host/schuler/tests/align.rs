@@ -200,3 +200,62 @@ fn what_cannot_be_aligned_says_why() {
     scene(&format!("{still}[alignment]\nduration_s = 30\n[link]\nloss = 0.1\n"));
     says(&["run", "s.toml"], 2, &["link.loss", "needs all of them"]);
 }
+
+#[test]
+fn what_is_wrong_is_told_in_options_that_align_has() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let emulate = ["emulate", "align-still", "--duration", "310", "--out", "imu.csv"];
+    assert_eq!(schuler(folder, &emulate).0, Some(0));
+    let initial = "time_s = 0\nlatitude_deg = 45\nlongitude_deg = 100\naltitude_m = 1000\nnorth_m_s = 0\n\
+        east_m_s = 0\ndown_m_s = 0\nroll_deg = 0\npitch_deg = 0\nyaw_deg = 0\n";
+    fs::write(folder.join("place.toml"), initial).unwrap();
+    // Gyros that are off by 80 °/h: 2e-5 rad a sample of 0.05 s.
+    let imu = fs::read_to_string(folder.join("imu.csv")).unwrap();
+    let biased = imu.lines().enumerate().map(|(i, line)| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if i > 0 {
+            cells[1] = (cells[1].parse::<f64>().unwrap() + 2e-5).to_string();
+        }
+        cells.join(",") + "\n"
+    });
+    fs::write(folder.join("biased.csv"), biased.collect::<String>()).unwrap();
+    let (_, help, _) = schuler(folder, &["align", "--help"]);
+    let begin = ["align", "--imu"];
+    for (arguments, told) in [
+        (&["imu.csv"][..], "--initial: is missing"),
+        (
+            &["imu.csv", "--initial", "place.toml", "--from", "-5", "--for", "10"],
+            "--from: alignment would begin at -5 s",
+        ),
+        (
+            &["imu.csv", "--initial", "place.toml", "--from", "1840"],
+            "--from: alignment would begin at 1840 s",
+        ),
+        (
+            &["imu.csv", "--initial", "place.toml", "--for", "400"],
+            "--for: alignment would end at 400 s",
+        ),
+        (&["imu.csv", "--sigma", "0"], "accepted: degrees, above 0"),
+        (&["biased.csv", "--initial", "place.toml"], "accepted: gyros of smaller errors"),
+    ] {
+        let (code, _, said) = schuler(folder, &[&begin[..], arguments].concat());
+        assert!(code == Some(2) && said.contains(told), "{told}: {said}");
+        // Of options, `align` names its own; what it says of another command is said to be one.
+        let own = said.split("`schuler replay`").next().unwrap();
+        for option in own.split(|c: char| !c.is_ascii_lowercase() && c != '-') {
+            let is_option = option.starts_with("--");
+            assert!(!is_option || option == "--help" || help.contains(option), "{option}: {said}");
+        }
+    }
+    // Line 50 is the sample before the one that is missed.
+    let holed: Vec<_> =
+        imu.lines().enumerate().filter(|(i, _)| *i != 50).map(|(_, line)| line).collect();
+    fs::write(folder.join("holed.csv"), holed.join("\n")).unwrap();
+    let (code, _, said) =
+        schuler(folder, &["align", "--imu", "holed.csv", "--initial", "place.toml"]);
+    let told = "holed.csv:51: 1 sample is missing before this one";
+    assert!(code == Some(1) && said.contains(told), "{said}");
+    let (code, _, said) = schuler(folder, &["align"]);
+    assert!(code == Some(2) && said.contains("--imu FILE") && said.contains("a scene"), "{said}");
+}

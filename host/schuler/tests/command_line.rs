@@ -243,6 +243,17 @@ fn the_option_to_blame_is_named() {
         "--rate: with this, trajectory.roll_deg is too",
     );
 
+    let smoothed = scene(
+        "[trajectory]\nlatitude_deg = 45\n[gyro]\nturn_on_bias_deg_h = 1\n\
+         [accelerometer]\nturn_on_bias_ug = 1\n[gnss]\nrate_hz = 1\nposition_m = 1\n[filter]\nsmoother = true\n",
+    );
+    // Ten steps a second, and one for each fix.
+    let words = "--duration: with this, filter.smoother takes ";
+    let long = smoothed("--duration 1e6");
+    let message = long.as_ref().map(|scene| scene.name.clone()).expect_err(words).to_string();
+    assert!(message.contains(" GiB of memory for 11000000 steps"), "{message}");
+    blames(long, words);
+
     let single = scene("[navigator]\nprecision = \"f32x2\"\n");
     single("--frame earth-fixed").expect("f32x2 has both frames");
     blames(single("--algorithm textbook"), "--algorithm: f32x2 is not to be had here");

@@ -166,7 +166,8 @@ fn an_emulated_stream_is_replayed_to_where_it_went() {
     starts(&["--start", "5", "--align", "80"], "--align: ", "85");
     starts(&["--align", "100"], "--align: ", "100");
     starts(&["--start", "61"], "--start: ", "61");
-    starts(&["--start", "61", "--align", "2"], "--start: ", "63");
+    let before = ["--start: alignment would begin at 61 s", "0 to 60 s"];
+    expect(folder.path(), &replay("x.csv", &["--start", "61", "--align", "2"]), 2, &before);
     let none = ["--start", "5", "--align", "0.016"];
     expect(folder.path(), &replay("x.csv", &none), 2, &["--align: no sample starts at 5.016 s"]);
 

@@ -227,3 +227,31 @@ fn a_path_need_not_be_unicode() {
     run(&[&all.concat()[..], &words("--out"), &[nav.as_os_str()]].concat());
     assert!(nav.is_file());
 }
+
+#[test]
+fn errors_and_warnings_fit_the_terminal() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let narrow = |line: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_schuler"));
+        command.current_dir(folder).args(line.split_whitespace()).env("COLUMNS", "60");
+        let told = text(&command.output().unwrap().stderr);
+        assert!(told.lines().all(|told| told.chars().count() <= 60), "{line}: {told}");
+        told
+    };
+    assert!(schuler(folder, "run paper --duration 5 --out out").status.success());
+    let told = narrow("run paper --duration 5 --seed 2 --out out");
+    assert!(told.starts_with("schuler: replaces in out the files of"), "{told}");
+    for (line, words) in [
+        ("run nowhere", "there is no such scene"),
+        ("run paper --window 1", "--window"),
+        ("align", "nothing to align"),
+    ] {
+        let wide = text(&schuler(folder, line).stderr);
+        assert!(wide.contains(words), "{wide}");
+        assert!(wide.lines().any(|told| told.chars().count() > 60), "{line}: {wide}");
+        let told = narrow(line);
+        let flat = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(flat(&told), flat(&wide));
+    }
+}

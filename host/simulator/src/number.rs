@@ -1,5 +1,32 @@
 //! Numbers for people: units with a fitting prefix, about four significant digits.
 
+/// So many of something, with the verb that goes with it: "1 sample is", "2 samples are".
+///
+/// ```
+/// use schuler_simulator::number::counted;
+/// assert_eq!(counted(1, "sample is", "samples are"), "1 sample is");
+/// assert_eq!(counted(0, "sample is", "samples are"), "0 samples are");
+/// ```
+pub fn counted(count: u64, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
+}
+
+/// With so many decimals; what rounds to nothing has no sign.
+///
+/// ```
+/// use schuler_simulator::number::fixed;
+/// assert_eq!([-0.04, -0.06, 12.0].map(|x| fixed(x, 1)), ["0.0", "-0.1", "12.0"]);
+/// ```
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(magnitude) if magnitude.bytes().all(|b| b == b'0' || b == b'.') => {
+            magnitude.to_owned()
+        }
+        _ => text,
+    }
+}
+
 /// What a number measures, in the unit of [`Nine`](crate::flight::Nine).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {

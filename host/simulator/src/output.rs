@@ -40,6 +40,13 @@ pub fn say(text: &str) -> Result<(), InputError> {
     print(&wrap::columns().map_or(Cow::Borrowed(text), |columns| wrap::wrapped(text, columns)))
 }
 
+/// Says a line on the error stream, broken to its terminal's width.
+pub fn say_error(line: &str) {
+    let columns = wrap::error_columns();
+    let line = columns.map_or(Cow::Borrowed(line), |columns| wrap::wrapped(line, columns));
+    eprintln!("{line}");
+}
+
 /// Prints a document, such as a scene, as it is. Nobody listening any more is the end of the program, not an error.
 pub fn print(text: &str) -> Result<(), InputError> {
     if heard::hears(text) {

@@ -2,7 +2,7 @@
 
 use schuler_simulator::aided::navigator::Found;
 use schuler_simulator::aided::report::{Compared, Count, Report};
-use schuler_simulator::number::rounded;
+use schuler_simulator::number::{counted, rounded};
 
 /// Times that are named, at most.
 const NAMED: usize = 12;
@@ -16,7 +16,7 @@ pub fn lines(report: &Report) -> String {
         (report.dropped, "found no room"),
     ];
     for (count, what) in odd.into_iter().filter(|(count, _)| *count > 0) {
-        text += &format!("{count} measurements {what}\n");
+        text += &format!("{} {what}\n", counted(count, "measurement", "measurements"));
     }
     let times = |times: &[f64]| {
         let named: Vec<_> = times.iter().take(NAMED).map(|t| rounded(*t, 6)).collect();

@@ -13,6 +13,7 @@ pub mod table;
 mod toml;
 
 use crate::cli::AlignArgs;
+use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::simulate::FlightError;
 
 /// Aligns, prints what is found, and writes it.
@@ -20,7 +21,12 @@ pub fn align(args: &AlignArgs) -> Result<(), FlightError> {
     match (&args.scene, &args.imu) {
         (Some(name), _) => flown::align(args, name),
         (None, Some(imu)) => recorded::align(args, imu),
-        // The command line asks for one of them.
-        (None, None) => Ok(()),
+        (None, None) => {
+            let complaint = Complaint::new(
+                "nothing to align",
+                "a recording, --imu FILE, or a scene, a built-in one or the path of a TOML file",
+            );
+            Err(InputError::option("align", complaint).into())
+        }
     }
 }

@@ -6,6 +6,7 @@ use crate::replay::{initial, spans};
 use schuler::alignment::inertial::Inertial;
 use schuler::alignment::place::Place as AtRest;
 use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::number::counted;
 use schuler_simulator::output::{say, write};
 use schuler_simulator::recording::clock::Clock;
 use schuler_simulator::recording::navigation::NavigationRow;
@@ -13,21 +14,24 @@ use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::recording::samples::Samples;
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::recording::timeline::Misfit;
-use schuler_simulator::rest::align;
+use schuler_simulator::rest::align::{self, Heading};
 use schuler_simulator::rest::fine::{Refined, Stretch};
 use schuler_simulator::simulate::FlightError;
 use schuler_simulator::units::DEGREE;
 use spans::Place;
 use std::path::Path;
 
+/// What says where the vehicle is.
+const PLACE: &str = "a TOML file with the columns of nav.csv as keys, or a file of positions (.pos, NMEA, GPX, KML)";
+
 /// Aligns on a stretch of a recording, prints what is found, and writes it.
 pub fn align(args: &AlignArgs, imu: &Path) -> Result<(), FlightError> {
     let replay = args.as_replay(imu)?;
     let recording = Recording::open_as(&imu.display().to_string(), &replay.given())?;
-    let (initial, replay) = initial::initial(&replay, &recording)?;
+    let (initial, replay) = initial::or_accepted(&replay, &recording, PLACE)?;
     let about = spans::about(&replay, &initial);
     let survey = Survey::of(&recording, args.rate.map(|rate_hz| 1.0 / rate_hz), about)?;
-    let spans = spans::Spans::new(&replay, &survey, &initial)?;
+    let spans = spans::Spans::named(&replay, &survey, &initial, &spans::Options::ALIGN)?;
     for line in survey.said(&recording) {
         say(&format!("{line}\n"))?;
     }
@@ -52,7 +56,8 @@ pub fn align(args: &AlignArgs, imu: &Path) -> Result<(), FlightError> {
         match spans.place(sample.end_s) {
             Place::Before => continue,
             Place::Still if sample.missing > 0 && there > 0 => {
-                let what = format!("{} samples are missing before this one", sample.missing);
+                let missing = counted(sample.missing, "sample is", "samples are");
+                let what = format!("{missing} missing before this one");
                 let accepted = "--from and --for a stretch without a gap";
                 let complaint = Complaint::new(what, accepted);
                 return Err(FlightError::Stopped(recording.error(sample.line, complaint)));
@@ -69,7 +74,8 @@ pub fn align(args: &AlignArgs, imu: &Path) -> Result<(), FlightError> {
     let filtered = args.method == Method::Fine || (args.method == Method::Auto && even);
     let fine = filtered.then_some(&stretch);
     let (name, kind) = (&recording.name, recording.kind);
-    let (row, refined) = align::align(&still, kind, name, &initial, None, there, 0, fine)?;
+    let (row, refined) =
+        align::align(&still, kind, name, &initial, Heading::Found, there, 0, fine)?;
     let row = match args.method {
         Method::Inertial => {
             let found = inertial.attitude().map_err(|error| {

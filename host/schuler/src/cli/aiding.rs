@@ -2,7 +2,8 @@
 
 use super::{Span, allan, options};
 use clap::Args;
-use schuler_simulator::aided::fixes::{Assumed, Velocities};
+use schuler_simulator::aided::fixes::Velocities;
+use schuler_simulator::aided::told::Assumed;
 use schuler_simulator::input::{Complaint, Range};
 use std::path::PathBuf;
 

@@ -35,7 +35,7 @@ pub enum Method {
     schuler align align-still --for 300 --runs 200")]
 pub struct AlignArgs {
     /// A built-in scene or the path of a TOML file, on whose first samples runs are aligned
-    #[arg(required_unless_present = "imu", conflicts_with = "imu")]
+    #[arg(conflicts_with = "imu")]
     pub scene: Option<String>,
     /// The stream of a vehicle that stands still: any that replay reads
     #[arg(long, value_name = "FILE")]
@@ -80,7 +80,7 @@ pub struct AlignArgs {
     #[arg(long, value_name = "METHOD", default_value = "auto")]
     pub method: Method,
     /// The standard deviation of the heading that is wanted, degrees: a poorer one is refused
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = options::length_s)]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = options::heading_sigma_deg)]
     pub sigma: Option<f64>,
     /// The file to write: an initial.toml for replay, with standard deviations and biases as comments
     #[arg(long, value_name = "FILE")]

@@ -185,6 +185,10 @@ pub(super) fn length_s(text: &str) -> Result<f64, Complaint> {
     number(text, &Range { accepted: "seconds, above 0", ..Range::POSITIVE })
 }
 
+pub(super) fn heading_sigma_deg(text: &str) -> Result<f64, Complaint> {
+    number(text, &Range { accepted: "degrees, above 0", ..Range::POSITIVE })
+}
+
 pub(super) fn heading_deg(text: &str) -> Result<f64, Complaint> {
     number(text, &Range::from_to(-360.0, 360.0, "degrees, from -360 to 360"))
 }

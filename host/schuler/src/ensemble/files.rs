@@ -6,7 +6,7 @@ use schuler_simulator::ensemble::kept::Kept;
 use schuler_simulator::flight::Nine;
 use schuler_simulator::input::InputError;
 use schuler_simulator::number::exact;
-use schuler_simulator::output::{self, OutputFile, much};
+use schuler_simulator::output::{self, OutputFile, much, say_error};
 use schuler_simulator::simulate::nine;
 use std::path::{Path, PathBuf};
 use summary::Outcome;
@@ -104,7 +104,7 @@ fn every_run(
     let numbers = kept.numbers();
     let rows = (numbers.len() * readings.len()) as u64;
     if let Some(much) = much(file.path(), rows, 2 + Nine::NAMES.len()) {
-        eprintln!("{much}");
+        say_error(&much);
     }
     let header = [["run", "time_s"].as_slice(), &Nine::NAMES].concat();
     file.put(header.join(",") + "\n")?;

@@ -9,6 +9,7 @@ use schuler_simulator::ensemble::part::header::Header;
 use schuler_simulator::ensemble::part::read::{self, Read};
 use schuler_simulator::ensemble::part::write::Writer;
 use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::output::say_error;
 use schuler_simulator::progress::Progress;
 use schuler_simulator::simulate::FlightError;
 use std::ops::Range;
@@ -65,7 +66,7 @@ impl<C: Content> Begun<C> {
         }
         if let Some(torn) = &earlier.torn {
             let path = path.display();
-            eprintln!("schuler: {path} ends {torn}: these runs are flown again");
+            say_error(&format!("schuler: {path} ends {torn}: these runs are flown again"));
         }
         Ok(Self { path, header, earlier: Some(earlier), is_whole })
     }

@@ -4,12 +4,14 @@ use super::aided;
 use super::conclusion::{Conclusion, Merged, threads};
 use super::files::Extra;
 use crate::cli::{EnsembleArgs, MergeArgs};
+use crate::report::head::shell;
 use schuler_simulator::ensemble::batches::Means;
 use schuler_simulator::ensemble::group::Ground;
 use schuler_simulator::ensemble::kept::Kept;
 use schuler_simulator::ensemble::part::block::Content;
 use schuler_simulator::ensemble::part::header::Header;
 use schuler_simulator::ensemble::part::read::{self, Read};
+use schuler_simulator::input::name::name_of;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::scene::Scene;
 use schuler_simulator::simulate::FlightError;
@@ -85,11 +87,11 @@ fn parts<C: Content>(paths: &[PathBuf]) -> Result<Vec<(PathBuf, Read<C>)>, Input
         let (done, all) = (part.kept.runs().end - range.start, range.end - range.start);
         if let Some(torn) = &part.torn {
             let what = format!("ends {torn}: it holds {done} of {all} runs of shard {k} of {n}");
-            return Err(refuse(path, what, &resume(&part.header)));
+            return Err(refuse(path, what, &resume(&part.header, path)));
         }
         if done < all {
             let what = format!("holds {done} of {all} runs of shard {k} of {n}");
-            return Err(refuse(path, what, &resume(&part.header)));
+            return Err(refuse(path, what, &resume(&part.header, path)));
         }
         if let Some((twin, _)) = parts.iter().find(|(_, other)| other.header.shard[0] == k) {
             let what = format!("is shard {k} of {n}, and so is {}", twin.display());
@@ -106,17 +108,24 @@ fn parts<C: Content>(paths: &[PathBuf]) -> Result<Vec<(PathBuf, Read<C>)>, Input
         let (some, more) = missing.split_at(missing.len().min(20));
         let more =
             if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
-        let what = format!("of {shards} shards there is no {}{more}", some.join(", "));
+        let shard = if missing.len() == 1 { "shard" } else { "shards" };
+        let what = format!("of {shards} shards there is no {shard} {}{more}", some.join(", "));
         return Err(InputError::option("PART", Complaint::new(what, "all shards of an ensemble")));
     }
     Ok(parts)
 }
 
-/// The command that completes a part.
-fn resume(header: &Header) -> String {
+/// The command that completes a part where it lies.
+fn resume(header: &Header, part: &Path) -> String {
     let [k, n] = header.shard;
-    let shard = if n > 1 { format!(" --shard {k}/{n}") } else { String::new() };
-    format!("what `schuler {}{shard} --resume` makes of it", header.command.join(" "))
+    let mut command = header.command.clone();
+    if n > 1 {
+        command.extend(["--shard".to_owned(), format!("{k}/{n}")]);
+    }
+    let folder = part.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new("."));
+    command.extend(["--resume".to_owned(), "--out".to_owned(), name_of(folder)]);
+    format!("what `schuler {}` makes of it", shell(&command))
 }
 
 /// The command of the whole, and its scene.

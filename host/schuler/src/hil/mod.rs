@@ -41,7 +41,7 @@ use schuler::link::offer::Offer;
 use schuler_simulator::flight::{Flight, LinkReport};
 use schuler_simulator::input::name::path_of;
 use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::output::say;
+use schuler_simulator::output::{say, say_error};
 use schuler_simulator::plan::Plan;
 use schuler_simulator::progress::Progress;
 use schuler_simulator::scene::Scene;
@@ -80,7 +80,7 @@ pub fn hil(args: &HilArgs) -> Result<(), FlightError> {
     let log = Log::default();
     let (flight, end) = fly_to_files(args, &scene, &directory, &log).inspect_err(|_| {
         if let Some(note) = report::files::of_earlier(&directory) {
-            eprintln!("{note}");
+            say_error(&note);
         }
     })?;
     let latencies_s = log.lock().unwrap_or_else(PoisonError::into_inner).latencies_s.clone();

@@ -4,6 +4,7 @@ use super::bridged::Bridged;
 use super::spans::{Place, Spans};
 use crate::cli::ReplayArgs;
 use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::number::counted;
 use schuler_simulator::progress::Progress;
 use schuler_simulator::recording::clock::Clock;
 use schuler_simulator::recording::navigation::NavigationRow;
@@ -11,7 +12,7 @@ use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::recording::samples::{MOST_BRIDGED, Sample, Samples};
 use schuler_simulator::recording::survey::Survey;
 use schuler_simulator::recording::timeline::Misfit;
-use schuler_simulator::rest::align;
+use schuler_simulator::rest::align::{self, Heading};
 use schuler_simulator::rest::fine::{Refined, Stretch};
 use schuler_simulator::scene::Gap as Policy;
 use schuler_simulator::simulate::FlightError;
@@ -94,7 +95,8 @@ pub(super) fn along<F: Flies>(
                         spans.check_first(&sample, begun)?;
                         let mut refined = None;
                         if args.align.is_some() {
-                            let heading = args.heading.map(|heading| heading * DEGREE);
+                            let stated = |heading| Heading::Known(heading * DEGREE);
+                            let heading = args.heading.map_or(Heading::FoundOrStated, stated);
                             let (name, kind) = (&recording.name, recording.kind);
                             let fine = stretch.as_ref();
                             (start, refined) = align::align(
@@ -147,7 +149,8 @@ fn bridgeable(
         return Ok(());
     }
     let what = format!(
-        "{missing} samples are missing before this one, {:.6} s",
+        "{} missing before this one, {:.6} s",
+        counted(missing, "sample is", "samples are"),
         missing as f64 * sample.interval_s
     );
     let complaint = if missing > MOST_BRIDGED {

@@ -14,7 +14,7 @@ use schuler_simulator::aided::report::Report;
 use schuler_simulator::high::Neglected;
 use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::navigator::{self, Navigate, Unavailable};
-use schuler_simulator::output::{NumberRows, OutputFile, large_table};
+use schuler_simulator::output::{NumberRows, OutputFile, large_table, say_error};
 use schuler_simulator::recording::clock::Clock;
 use schuler_simulator::recording::heights::Heights;
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow};
@@ -122,7 +122,7 @@ impl<'a> Flying<'a> {
         let kept =
             args.every.map_or(samples as u64, |every| every.kept(samples as u64, interval_s));
         if let Some(warning) = large_table(nav, kept, COLUMNS.len()) {
-            eprintln!("{warning}");
+            say_error(&warning);
         }
         let even = matches!(survey.clock, Clock::Even { .. });
         let mcap = args.mcap.as_deref();

@@ -18,11 +18,19 @@ pub fn initial(
     args: &ReplayArgs,
     recording: &Recording,
 ) -> Result<(NavigationRow, ReplayArgs), InputError> {
+    const ACCEPTED: &str = "a TOML file with the columns of nav.csv as keys, or with --align a file of positions (.pos, NMEA, GPX, KML)";
+    or_accepted(args, recording, ACCEPTED)
+}
+
+/// The same for a command that takes something else.
+pub fn or_accepted(
+    args: &ReplayArgs,
+    recording: &Recording,
+    accepted: &str,
+) -> Result<(NavigationRow, ReplayArgs), InputError> {
     let missing = || {
-        let complaint = Complaint::new(
-            "is missing, and the recording brings no initial state",
-            "a TOML file with the columns of nav.csv as keys, or with --align a file of positions (.pos, NMEA, GPX, KML)",
-        );
+        let complaint =
+            Complaint::new("is missing, and the recording brings no initial state", accepted);
         InputError::option("--initial", complaint)
     };
     let Some(path) = &args.initial else {

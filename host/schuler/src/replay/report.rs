@@ -3,6 +3,7 @@
 use super::fly::Flight;
 use super::spans::Spans;
 use schuler::drift::compare::drift;
+use schuler_simulator::number::counted;
 use schuler_simulator::units::ARCSECOND;
 
 /// Where it ends, and what was made up for; for a vehicle that was at rest, how far it seems to have moved.
@@ -17,14 +18,14 @@ pub fn text(flight: &Flight, spans: &Spans, at_rest: bool) -> String {
     let bridged = &flight.bridged;
     if bridged.samples > 0 {
         text += &format!(
-            "bridged {} of {} s: {} samples that are missing, {:.6} s in all, filled along straight lines\n",
+            "bridged {} of {} s: {} missing, {:.6} s in all, filled along straight lines\n",
             if bridged.gaps == 1 {
                 "a gap".to_owned()
             } else {
                 format!("{} gaps, the longest", bridged.gaps)
             },
             (bridged.longest_s * 1e6).round() / 1e6,
-            bridged.samples,
+            counted(bridged.samples as u64, "sample that is", "samples that are"),
             bridged.time_s
         );
     }

@@ -19,6 +19,25 @@ pub enum Place {
     After,
 }
 
+/// What a command calls its options about times.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Where to begin.
+    start: &'static str,
+    /// How long to align.
+    align: &'static str,
+    /// What is done where an alignment ends.
+    then: &'static str,
+}
+
+impl Options {
+    /// Those of `replay`.
+    pub const REPLAY: Self =
+        Self { start: "--start", align: "--align", then: "navigation would start" };
+    /// Those of `align`.
+    pub const ALIGN: Self = Self { start: "--from", align: "--for", then: "alignment would end" };
+}
+
 /// Times of the recording, s.
 #[derive(Clone, Debug)]
 pub struct Spans {
@@ -45,11 +64,21 @@ pub fn about(args: &ReplayArgs, initial: &NavigationRow) -> (f64, f64) {
 }
 
 impl Spans {
-    /// By the options, or an error that names the one to blame.
+    /// By the options of `replay`, or an error that names the one to blame.
     pub fn new(
         args: &ReplayArgs,
         survey: &Survey,
         initial: &NavigationRow,
+    ) -> Result<Self, InputError> {
+        Self::named(args, survey, initial, &Options::REPLAY)
+    }
+
+    /// The same, the options called otherwise.
+    pub fn named(
+        args: &ReplayArgs,
+        survey: &Survey,
+        initial: &NavigationRow,
+        options: &Options,
     ) -> Result<Self, InputError> {
         let (first_s, last_s) = (survey.start_s, survey.end_s);
         let own_s = if args.initial.is_some() { initial.time_s } else { first_s };
@@ -64,13 +93,18 @@ impl Spans {
         let inside = format!("times within the recording, {first_s} to {last_s} s");
         // The recording's own start is always right.
         let begins = match (args.start, &args.initial) {
-            (Some(_), _) => "--start",
+            (Some(_), _) => options.start,
             (None, Some(_)) => "--initial",
-            (None, None) => "--align",
+            (None, None) => options.align,
         };
         if !lies_inside(begin_s) || !lies_inside(navigate_s) {
-            let what = format!("navigation would start at {navigate_s} s");
-            let option = if lies_inside(begin_s) { "--align" } else { begins };
+            let (option, what) = if lies_inside(begin_s) {
+                (options.align, format!("{} at {navigate_s} s", options.then))
+            } else if args.align.is_some() {
+                (begins, format!("alignment would begin at {begin_s} s"))
+            } else {
+                (begins, format!("{} at {navigate_s} s", options.then))
+            };
             return Err(InputError::option(option, Complaint::new(what, inside)));
         }
         if args.align.is_none() && (begin_s - own_s).abs() > slack_s {

@@ -8,7 +8,7 @@ use super::traces::Traces;
 use super::{DriftCsv, Lockstep, drift_csv, head, html, plot, summary};
 use schuler_simulator::flight::{Flight, Instant};
 use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::output::{self, OutputFile};
+use schuler_simulator::output::{self, OutputFile, say_error};
 use schuler_simulator::theory::Theory;
 use std::path::{Path, PathBuf};
 
@@ -74,7 +74,9 @@ pub fn tell_replaced_by(folder: &Path, summary: &str, command: &[String]) {
         && before != command
     {
         let (folder, before) = (folder.display(), head::shell(&before));
-        eprintln!("schuler: replaces in {folder} the files of `{before}`; --out keeps both");
+        say_error(&format!(
+            "schuler: replaces in {folder} the files of `{before}`; --out keeps both"
+        ));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::norm;
 use schuler_simulator::flight::{Flight, Instant, Nine};
-use schuler_simulator::number::Quantity;
+use schuler_simulator::number::{Quantity, counted};
 use schuler_simulator::theory::Outside;
 
 /// How far each component lies from theory's mean in its standard deviations; `None` where
@@ -69,10 +69,10 @@ fn lies(last: &Instant) -> String {
 fn outside_theory(flight: &Flight) -> Option<String> {
     let mut reasons = Vec::new();
     if flight.saturated > 0 {
-        reasons.push(format!("{} samples were saturated", flight.saturated));
+        reasons.push(counted(flight.saturated, "sample was", "samples were") + " saturated");
     }
     if flight.lost > 0 {
-        reasons.push(format!("{} samples were lost", flight.lost));
+        reasons.push(counted(flight.lost, "sample was", "samples were") + " lost");
     }
     match flight.outside {
         Some(Outside::Samples) | None => {}

@@ -8,7 +8,7 @@ use schuler_simulator::formats::mcap::{McapWriter, Motion};
 use schuler_simulator::formats::track::{Spot, Track};
 use schuler_simulator::formats::{geojson, gpx, kml};
 use schuler_simulator::input::{Complaint, InputError};
-use schuler_simulator::output::{self, large_table};
+use schuler_simulator::output::{self, large_table, say_error};
 use schuler_simulator::recording::navigation::{COLUMNS, NavigationRow, NavigationWriter};
 use schuler_simulator::scene::Scene;
 use schuler_simulator::scene::route::Origin;
@@ -83,7 +83,7 @@ pub fn write(
     };
     if format == Format::Csv {
         if let Some(much) = large_table(path, last + 1, COLUMNS.len()) {
-            eprintln!("{much}");
+            say_error(&much);
         }
         let mut writer = NavigationWriter::create(path)?;
         for number in 0..=last {

@@ -94,6 +94,8 @@ fn what_is_wrong_in_a_data_sheet_is_told() {
             &["sheet.toml:2", "three rows [x, y, z]"],
         ),
         ("sample_rate_hz = 5\n", &["no table of a sensor"]),
+        ("[gyro]\n\nbias_model = \"flicker\"\n", &["sheet.toml:3", "bias_model at the top"]),
+        ("[gyro]\nsample_rate_hz = 5\n", &["sheet.toml:2", "sample_rate_hz at the top"]),
     ] {
         let error = sections("sheet.toml", text).unwrap_err().to_string();
         for word in words {
@@ -101,6 +103,49 @@ fn what_is_wrong_in_a_data_sheet_is_told() {
         }
     }
     assert!(keys().contains("noise_density_ug_sqrt_hz"));
+}
+
+#[test]
+fn what_a_scene_refuses_is_not_written() {
+    for (keys, words) in [
+        // A scene takes 10° = 17.4533 %, and 100 %.
+        ("cross_axis_percent = 17.46", "misalignment_matrix_arcsec: arcsec, from -36000 to 36000"),
+        ("cross_axis_percent = [1, 500, 1]", "500 is out of range"),
+        ("scale_factor_percent = 300", "scale_factor_ppm: ppm, from -1e6 to 1e6"),
+        ("misalignment_deg = -11", "misalignment_arcsec: arcsec, from -36000 to 36000"),
+        ("latency_ms = 1e6", "latency_s: seconds, from 0 to 8 samples"),
+        (
+            "noise_density_mdps_sqrt_hz = 1e300",
+            "angle_random_walk_deg_sqrt_h: a number from 0 up to",
+        ),
+        ("angle_random_walk_deg_sqrt_h = 1e300", "a number from 0 up to 1e12"),
+        ("full_scale_deg_s = 1e11\noffset_percent_fs = 1e9", "constant_deg_h: a number from"),
+    ] {
+        let sensor = format!("[gyro]\n{keys}\n");
+        let error = sections("x.toml", &sensor).unwrap_err().to_string();
+        let line = 1 + keys.lines().count();
+        let start = format!("x.toml:{line}: gyro.");
+        assert!(error.starts_with(&start) && error.contains(words), "{keys}: {error}");
+        let scene = format!("duration_s = 1\nrate_hz = 1\n{sensor}");
+        let refused = parse::scene("x.toml", &scene).unwrap_err().to_string();
+        assert!(refused.contains(words), "{keys}: {refused}");
+    }
+    for taken in ["cross_axis_percent = 17.45", "scale_factor_percent = 100", "latency_ms = 8000"] {
+        assert!(sections("x.toml", &format!("[gyro]\n{taken}\n")).is_ok(), "{taken}");
+    }
+    // Eight samples of 100 Hz.
+    let latency = |key: &str| {
+        sections("x.toml", &format!("sample_rate_hz = 100\n[gyro]\n{key}\n"))
+            .map_err(|e| e.to_string())
+    };
+    assert!(latency("latency_ms = 80").is_ok());
+    for key in ["latency_ms = 81", "latency_s = 0.081"] {
+        let error = latency(key).unwrap_err();
+        assert!(
+            error.starts_with("x.toml:3: gyro.latency_") && error.contains("from 0 to 0.08"),
+            "{error}"
+        );
+    }
 }
 
 #[test]

@@ -248,3 +248,30 @@ fn a_run_of_an_ensemble_is_flown_again_by_its_number() {
     assert_eq!(first, again);
     assert_ne!(first, fs::read_to_string(folder.path().join("r5/drift.csv")).unwrap());
 }
+
+#[test]
+fn the_budget_fits_80_columns_and_its_columns_are_in_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "duration_s = 4\nrate_hz = 20\n[trajectory]\nlatitude_deg = 45\nlongitude_deg = 100\n\
+        [temperature]\noffset_k = 5\n\
+        [gyro]\nangle_random_walk_deg_sqrt_h = 0.01\ntemperature_scale_factor_ppm_k = 3\n\
+        [accelerometer]\nvelocity_random_walk_m_s_sqrt_h = 0.01\nacceleration_random_walk_ug_sqrt_h = 20\n\
+        temperature_scale_factor_ppm_k = 3\nmisalignment_matrix_arcsec = [[0, 9, 9], [9, 0, 9], [9, 9, 0]]\n";
+    fs::write(folder.path().join("terms.toml"), scene).unwrap();
+    let out = ensemble(folder.path(), "terms.toml --runs 4 --budget 4 --out out");
+    let text = String::from_utf8(out.stdout).unwrap();
+    let rows = text.lines().skip_while(|line| !line.starts_with("What the error"));
+    let rows: Vec<_> = rows.skip(2).take_while(|line| !line.contains(" runs in ")).collect();
+    for name in [
+        "accelerometer velocity random walk",
+        "accelerometer acceleration random walk",
+        "accelerometer misalignment of each axis",
+        "accelerometer scale factor by temperature",
+    ] {
+        assert!(rows.iter().any(|row| row.starts_with(name)), "{name}: {text}");
+    }
+    // Cells stand to the right in their columns, so every row ends where the line does.
+    for row in rows {
+        assert_eq!(row.chars().count(), 80, "{row}\n{text}");
+    }
+}

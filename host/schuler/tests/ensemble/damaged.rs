@@ -75,7 +75,7 @@ fn what_is_missing_doubled_or_cut_is_said() {
     let at = |name: &str| folder.path().join(name);
     let merge = |parts: &str| refused(folder.path(), &format!("ensemble merge {parts} --out m"));
     let said = merge("p/shard-1-of-3.part p/shard-3-of-3.part");
-    says(&said, &["PART: of 3 shards there is no 2; accepted: all shards of an ensemble"]);
+    says(&said, &["PART: of 3 shards there is no shard 2; accepted: all shards of an ensemble"]);
     fs::copy(at("p/shard-1-of-3.part"), at("copy.part")).unwrap();
     let said = merge(&format!("{ALL} copy.part"));
     says(&said, &["copy.part: is shard 1 of 3, and so is p/shard-1-of-3.part", "each shard once"]);
@@ -83,7 +83,10 @@ fn what_is_missing_doubled_or_cut_is_said() {
     fs::write(at("p/shard-3-of-3.part"), &whole[..whole.len() - 100]).unwrap();
     let said = merge(ALL);
     says(&said, &["p/shard-3-of-3.part: ends in the block of run 20, at byte "]);
-    says(&said, &["it holds 4 of 8 runs of shard 3 of 3", "--shard 3/3 --resume"]);
+    says(
+        &said,
+        &["it holds 4 of 8 runs of shard 3 of 3", "--shard 3/3 --resume --out p` makes of it"],
+    );
     // At the end of a block.
     let end = whole.len() - (whole.len() - first_line(&whole)) / 2;
     fs::write(at("p/shard-3-of-3.part"), &whole[..block_end(&whole, end)]).unwrap();

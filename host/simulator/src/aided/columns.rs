@@ -5,6 +5,7 @@ use crate::output::OutputFile;
 use crate::units::DEGREE;
 use schuler::aiding::aided::measured::{Kind, Measured};
 use schuler::math::compensated::Pair;
+use std::ops::Range as Columns;
 use std::path::Path;
 
 /// Their names. A cell is empty where its row has no such number.
@@ -30,6 +31,15 @@ pub const COLUMNS: [&str; 17] = [
 
 /// The column of words.
 pub const MEASURES: usize = 2;
+
+/// The columns of positions.
+pub const POSITION: Columns<usize> = 3..6;
+/// Those of their standard deviations.
+pub const POSITION_SIGMAS: Columns<usize> = 10..13;
+/// The columns of velocities.
+pub const VELOCITY: Columns<usize> = 6..9;
+/// Those of their standard deviations.
+pub const VELOCITY_SIGMAS: Columns<usize> = 13..16;
 
 /// What each number may be.
 pub const RANGES: [Range; COLUMNS.len()] = {

@@ -1,7 +1,7 @@
 //! Measurements for a recording: from our own CSV, or from positions that a receiver wrote (RTKLIB `.pos`, NMEA and
 //! the like), on the recording's own time.
 
-use super::told::{self, Told};
+use super::told::{self, Assumed, Told};
 use crate::input::{Complaint, InputError, read_text};
 use crate::recording::instant::Scale;
 use crate::reference::{Fix, Track};
@@ -18,17 +18,6 @@ pub struct Epoch {
     pub scale: Scale,
     /// A time of the scale less the same time of the recording, s.
     pub ahead_s: f64,
-}
-
-/// Standard deviations where a file tells none: positions level and down, m, velocities, m/s.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Assumed {
-    /// Positions north and east, m.
-    pub level_m: f64,
-    /// Positions down, m.
-    pub down_m: f64,
-    /// Velocities, m/s.
-    pub velocity_m_s: f64,
 }
 
 /// How late what a file tells is.
@@ -72,7 +61,7 @@ impl Fixes {
         let (rows, said) = if Track::is_one(&text) {
             of_track(Track::parse(file, &text)?, epoch, assumed)?
         } else if told::is_one(&text) {
-            (told::read(file, &text)?, Vec::new())
+            told::read(file, &text, assumed)?
         } else {
             let what = "is no file of measurements";
             let accepted = "a CSV with the columns of emulate --gnss (time_s, latitude_deg, …), an RTKLIB .pos, NMEA, GPX or KML";
@@ -133,8 +122,11 @@ fn of_track(
     let mut said = track.said.clone();
     let (mut without, mut level) = (0u64, 0u64);
     let mut rows = Vec::new();
-    for fix in &track.fixes {
+    for (i, fix) in track.fixes.iter().enumerate() {
         let (Some(time_s), Some(_)) = (fix.time_s, fix.height) else {
+            if let Some((line, complaint)) = track.damaged_about(i) {
+                return Err(InputError::line(&track.name, *line, complaint.clone()));
+            }
             let complaint = Complaint::new("has no time or no height", "both in every place");
             return Err(InputError::line(&track.name, fix.line, complaint));
         };

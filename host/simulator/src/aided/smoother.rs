@@ -35,8 +35,7 @@ pub fn check(duration_s: f64, step_s: f64, measurements: usize) -> Result<(), Co
         return Ok(());
     }
     let gigabytes = |bytes: f64| bytes / f64::from(1 << 30);
-    let what =
-        format!("a smoother of {steps:.0} steps takes {:.1} GiB of memory", gigabytes(bytes));
+    let what = format!("takes {:.1} GiB of memory for {steps:.0} steps", gigabytes(bytes));
     let accepted = format!("a flight that takes {} GiB at most", gigabytes(MOST_BYTES as f64));
     Err(Complaint::new(what, accepted))
 }

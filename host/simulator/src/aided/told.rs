@@ -1,6 +1,8 @@
 //! Measurements as a file tells them: our own CSV, with the columns of [`columns`](super::columns) in any order.
 
-use super::columns::{COLUMNS, KINDS, MEASURES, RANGES};
+use super::columns::{
+    COLUMNS, KINDS, MEASURES, POSITION, POSITION_SIGMAS, RANGES, VELOCITY, VELOCITY_SIGMAS,
+};
 use super::measurements::Arriving;
 use crate::input::{Complaint, InputError};
 use crate::recording::table;
@@ -10,6 +12,18 @@ use schuler::aiding::aided::measured::{Kind, Measured};
 use schuler::earth::Geodetic;
 use schuler::math::compensated::Pair;
 use schuler::math::vector::Vector;
+use std::ops::Range;
+
+/// Standard deviations where a file tells none: positions level and down, m, velocities, m/s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Assumed {
+    /// Positions north and east, m.
+    pub level_m: f64,
+    /// Positions down, m.
+    pub down_m: f64,
+    /// Velocities, m/s.
+    pub velocity_m_s: f64,
+}
 
 /// A measurement of a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,8 +69,13 @@ pub fn is_one(text: &str) -> bool {
     has(COLUMNS[0]) && [3, 6, 9, 5, MEASURES].into_iter().any(|i| has(COLUMNS[i]))
 }
 
-/// Every row, in the order of the file.
-pub fn read(file: &str, text: &str) -> Result<Vec<Told>, InputError> {
+/// Every row, in the order of the file, and a line on standard deviations that are assumed: those of positions or of
+/// velocities of which it has no column.
+pub fn read(
+    file: &str,
+    text: &str,
+    assumed: &Assumed,
+) -> Result<(Vec<Told>, Vec<String>), InputError> {
     let (mut reader, header) = table::open(file, text)?;
     let mut places = [None; COLUMNS.len()];
     for (i, name) in header.iter().enumerate() {
@@ -68,6 +87,26 @@ pub fn read(file: &str, text: &str) -> Result<Vec<Told>, InputError> {
             let complaint = Complaint::new("is there twice", "every column once");
             return Err(InputError::key(file, 1, name, complaint));
         }
+    }
+    let lacks = |sigmas: Range<usize>, of: Range<usize>| {
+        sigmas.clone().all(|i| places[i].is_none()) && of.clone().any(|i| places[i].is_some())
+    };
+    let Assumed { level_m, down_m, velocity_m_s } = *assumed;
+    let mut absent = [None; COLUMNS.len()];
+    let mut said = Vec::new();
+    if lacks(POSITION_SIGMAS, POSITION) {
+        absent[POSITION_SIGMAS].copy_from_slice(&[level_m, level_m, down_m].map(Some));
+        said.push(format!("positions to {level_m} m level and {down_m} m in height"));
+    }
+    if lacks(VELOCITY_SIGMAS, VELOCITY) {
+        absent[VELOCITY_SIGMAS].fill(Some(velocity_m_s));
+        said.push(format!("velocities to {velocity_m_s} m/s"));
+    }
+    if !said.is_empty() {
+        let what = said.join(", ");
+        said = vec![format!(
+            "{file}: no standard deviations: taken as good are {what} (--gnss-sigma)"
+        )];
     }
     let mut rows = Vec::new();
     for record in reader.records() {
@@ -82,15 +121,16 @@ pub fn read(file: &str, text: &str) -> Result<Vec<Told>, InputError> {
             let place = places.get(i).copied().flatten();
             place.and_then(|place| record.get(place)).filter(|cell| !cell.is_empty())
         };
-        rows.push(row(file, line, &cell)?);
+        rows.push(row(file, line, &cell, &absent)?);
     }
-    Ok(rows)
+    Ok((rows, said))
 }
 
 fn row<'a>(
     file: &str,
     line: u64,
     cell: &dyn Fn(usize) -> Option<&'a str>,
+    absent: &[Option<f64>; COLUMNS.len()],
 ) -> Result<Told, InputError> {
     let wrong = |i: usize, complaint| InputError::key(file, line, COLUMNS[i], complaint);
     let number = |i: usize| -> Result<f64, InputError> {
@@ -134,7 +174,7 @@ fn row<'a>(
     }
     let mut numbers = [0.0; COLUMNS.len()];
     for i in has.iter().copied() {
-        numbers[i] = number(i)?;
+        numbers[i] = absent[i].map_or_else(|| number(i), Ok)?;
     }
     let three = |i: usize| Vector::new(numbers[i], numbers[i + 1], numbers[i + 2]);
     let at = Instant::of_sample(0);

@@ -2,7 +2,7 @@
 
 use super::still::{AXES, Stillness, six};
 use crate::input::{Complaint, InputError};
-use crate::number::parameter;
+use crate::number::{counted, parameter};
 use crate::recording::Kind;
 use crate::recording::rows::Recording;
 use crate::recording::survey::Survey;
@@ -202,7 +202,8 @@ pub fn of_recording(
         }
         if row.missing > 0 && gathering.samples() > 0 {
             let at = parameter(row.time_s);
-            let what = format!("{} samples are missing before {at} s", row.missing);
+            let missing = counted(row.missing, "sample is", "samples are");
+            let what = format!("{missing} missing before {at} s");
             let accepted = format!(
                 "a span without gaps, as in --span {}..{}",
                 parameter(start_s),
@@ -236,7 +237,10 @@ pub fn of_recording(
     if let Some(([first_s, last_s], axis)) = motion.first() {
         let more = match motion.len() {
             1 => String::new(),
-            n => format!(", and {} times more until {} s", n - 1, parameter(motion[n - 1].0[1])),
+            n => {
+                let until = parameter(motion[n - 1].0[1]);
+                format!(", and {} more until {until} s", counted(n as u64 - 1, "time", "times"))
+            }
         };
         let [first, last] = [*first_s, *last_s].map(parameter);
         let what = format!("moves from {first} to {last} s ({axis}){more}");

@@ -10,11 +10,12 @@ use crate::input::{Complaint, InputError, Range};
 use crate::number::parameter;
 use crate::scene::SensorErrors;
 use crate::scene::limits;
-use crate::scene::terms::TERMS;
+use crate::scene::terms::{TERMS, Term};
 use entries::{Entry, LEFT_OUT};
 use std::fmt::Write as _;
 
 const RATE: &str = "sample_rate_hz";
+const LATENCY: &str = "latency_s";
 const MODEL: &str = "bias_model";
 /// How a lowest point of the Allan curve is explained.
 const MODELS: &[(&str, bool)] = &[("flicker", false), ("random-walk", true)];
@@ -30,6 +31,14 @@ pub fn sections(file: &str, text: &str) -> Result<String, InputError> {
     let mut any = false;
     for (triad, table) in TRIADS.iter().enumerate() {
         let known: Vec<_> = names(triad);
+        let of_the_file = [RATE, MODEL].into_iter();
+        if let Some(value) = root.get(table)
+            && let Some(key) = of_the_file.clone().find(|key| value.has(key))
+        {
+            let what = format!("is of the whole file, not of [{table}]");
+            let accepted = format!("{key} at the top, before the first table");
+            return Err(document.error(&format!("{table}.{key}"), Complaint::new(what, accepted)));
+        }
         if let Some(section) = root.section(table, &known)? {
             out += &one(&section, triad, interval_s, walks)?;
             any = true;
@@ -65,7 +74,8 @@ pub fn read(
     let mut found = Vec::new();
     for entry in in_order(triad) {
         let Some(value) = section.get(entry.key) else { continue };
-        let mut values = value.axes(&entry.range)?.map(|x| x * entry.factor);
+        let told = value.axes(&entry.range)?;
+        let mut values = told.map(|x| x * entry.factor);
         if entry.is_step() {
             let Some(interval_s) = interval_s else {
                 let what =
@@ -75,6 +85,7 @@ pub fn read(
             values = values.map(|x| x * interval_s);
         }
         let values = whole(entry, values, errors, section)?;
+        within(entry, triad, told, values).map_err(|complaint| value.error(complaint))?;
         if !entry.slot.set(errors, values) {
             let what = format!("gives {}, which another key gives, too", entry.gives);
             return Err(section.blame(entry.key, Complaint::new(what, "one of the two")));
@@ -82,6 +93,21 @@ pub fn read(
         found.push(entry);
     }
     Ok(found)
+}
+
+/// Refuses what a scene's own key does not take.
+fn within(entry: &Entry, triad: usize, told: [f64; 3], values: [f64; 3]) -> Result<(), Complaint> {
+    let own = |term: &Term| [term.gyro, term.accelerometer][triad];
+    let of = |term: &'static Term| {
+        own(term).filter(|key| key.key == entry.gives).map(|key| (term.range, key))
+    };
+    let Some((range, key)) = TERMS.iter().find_map(of) else { return Ok(()) };
+    let outside = |value: f64| range.check(value / key.unit).is_err();
+    let Some(i) = values.iter().position(|value| outside(*value)) else { return Ok(()) };
+    let gives = values[i] / key.unit;
+    let [told, gives_told] = [told[i], gives].map(parameter);
+    let what = format!("{told} is out of range: it gives {} = {gives_told}", key.key);
+    Err(Complaint::new(what, format!("what gives {}: {}", key.key, range.accepted)))
 }
 
 /// The entries of a triad, shares of the full scale last.
@@ -124,7 +150,14 @@ fn one(
             (term.set)(&mut errors, Some(term.read(&value)?.map(|x| x * key.unit)));
         }
     }
-    for entry in read(section, triad, interval_s, &mut errors)? {
+    let given = read(section, triad, interval_s, &mut errors)?;
+    if let Some(interval_s) = interval_s
+        && let Err(complaint) = limits::latency_of(&errors, 1.0 / interval_s)
+    {
+        let key = given.iter().find(|entry| entry.gives == LATENCY).map_or(LATENCY, |e| e.key);
+        return Err(section.blame(key, complaint));
+    }
+    for entry in given {
         let is_walk = walks && entry.gives.starts_with("bias_instability");
         if !entry.assumed.is_empty() && !is_walk {
             notes.push(format!("{}: {}", entry.key, entry.assumed));
@@ -164,6 +197,10 @@ fn walk(
     let least = |b: f64| b * entries_floor();
     let walks: [f64; 3] =
         std::array::from_fn(|i| 3f64.sqrt() * least(floor[i]).powi(2) / (2.0 * white[i]));
+    if let Some(k) = walks.iter().find(|k| !(**k).is_finite()) {
+        let what = format!("{MODEL} \"random-walk\" gives a random walk of {k}");
+        return Err(section.error(Complaint::new(what, "a larger noise density, or \"flicker\"")));
+    }
     errors.random_walk = Some(walks);
     notes.push(
         "in-run bias stability: taken for the lowest point of white noise and a random walk of the bias \

@@ -44,7 +44,7 @@ pub fn warn(text: &str) {
     let listened =
         EAR.with_borrow_mut(|ear| ear.as_mut().map(|heard| heard.warnings.push(text.to_owned())));
     if listened.is_none() {
-        eprintln!("schuler: warning: {text}");
+        super::say_error(&format!("schuler: warning: {text}"));
     }
 }
 

@@ -16,12 +16,21 @@ const FEWEST: usize = 20;
 /// The columns of the terminal that the output goes to. In a file or a pipe lines end where sentences do, unless the
 /// environment has `COLUMNS`.
 pub fn columns() -> Option<usize> {
-    let told = if io::stdout().is_terminal() {
-        Some(Term::stdout().size_checked().map_or(COLUMNS, |(_, columns)| columns.into()))
-    } else {
-        env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok())
-    };
-    told.map(|columns| columns.max(FEWEST))
+    of(io::stdout().is_terminal().then(Term::stdout)).map(|columns| columns.max(FEWEST))
+}
+
+/// The same of what errors and warnings go to.
+pub fn error_columns() -> Option<usize> {
+    of(io::stderr().is_terminal().then(Term::stderr)).map(|columns| columns.max(FEWEST))
+}
+
+fn of(terminal: Option<Term>) -> Option<usize> {
+    match terminal {
+        Some(terminal) => {
+            Some(terminal.size_checked().map_or(COLUMNS, |(_, columns)| columns.into()))
+        }
+        None => env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok()),
+    }
 }
 
 /// A text whose sentences fit so many columns.

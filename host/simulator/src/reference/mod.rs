@@ -49,6 +49,8 @@ pub struct Track {
     pub fixes: Vec<Fix>,
     /// What was found, a line each.
     pub said: Vec<String>,
+    /// Lines that could not be read and were left out, in their order, and why.
+    pub damaged: Vec<(u64, Complaint)>,
 }
 
 impl Track {
@@ -74,6 +76,14 @@ impl Track {
     /// Whether a text is of one of the formats.
     pub fn is_one(text: &str) -> bool {
         reader(text).is_some()
+    }
+
+    /// What could not be read next to a place: between those before and after it.
+    pub fn damaged_about(&self, place: usize) -> Option<&(u64, Complaint)> {
+        let line = |i: usize| self.fixes.get(i).map(|fix| fix.line);
+        let after = place.checked_sub(1).and_then(line).unwrap_or(0);
+        let before = line(place + 1).unwrap_or(u64::MAX);
+        self.damaged.iter().find(|(line, _)| (after..before).contains(line))
     }
 
     /// Its times on another scale, if it has times of a scale at all.

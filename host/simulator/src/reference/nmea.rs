@@ -1,15 +1,17 @@
 //! NMEA 0183: positions and heights of GGA, velocities and dates of RMC. Sentences of one time are one place.
 
 use super::{Fix, Track, place};
-use crate::input::InputError;
+use crate::input::{Complaint, InputError};
 use crate::recording::instant::{self, Scale};
 use ::nmea::sentences::FixType;
 use ::nmea::sentences::rmc::RmcStatusOfFix;
-use ::nmea::{ParseResult, parse_str};
+use ::nmea::{Error, ParseResult, parse_str};
 
 /// 1 knot, m/s.
 const KNOT: f64 = 1852.0 / 3600.0;
 const DAY_S: f64 = 86_400.0;
+/// Characters that say what a sentence is, `$GPGGA`.
+const SHORTEST: usize = 6;
 
 /// Whether a line among the first is a sentence.
 pub fn is_one(text: &str) -> bool {
@@ -30,7 +32,7 @@ enum Part {
 /// All sentences.
 pub fn read(file: &str, text: &str) -> Result<Track, InputError> {
     let mut fixes: Vec<Fix> = Vec::new();
-    let mut unread = None::<(u64, u64)>;
+    let mut damaged = Vec::new();
     let mut without = 0u64;
     let (mut days, mut before_s) = (0.0, 0.0);
     // Midnight of the first day, s since 1970.
@@ -38,6 +40,9 @@ pub fn read(file: &str, text: &str) -> Result<Track, InputError> {
     for (line, text) in (1..).zip(text.lines()) {
         let Some(sentence) = sentence(text) else { continue };
         let relevant = sentence.get(3..6).is_some_and(|kind| kind == "GGA" || kind == "RMC");
+        if sentence.len() < SHORTEST && sentence[1..].bytes().all(|b| b.is_ascii_uppercase()) {
+            damaged.push((line, cut(sentence)));
+        }
         if !relevant {
             continue;
         }
@@ -67,8 +72,8 @@ pub fn read(file: &str, text: &str) -> Result<Track, InputError> {
                 without += 1;
                 continue;
             }
-            Err(_) => {
-                unread.get_or_insert((line, 0)).1 += 1;
+            Err(error) => {
+                damaged.push((line, complaint(&error, sentence)));
                 continue;
             }
         };
@@ -99,8 +104,9 @@ pub fn read(file: &str, text: &str) -> Result<Track, InputError> {
         }
     }
     let mut said = Vec::new();
-    if let Some((first, count)) = unread {
-        said.push(format!("{file}:{first}: sentences that are damaged, left out: {count}"));
+    if let Some((first, complaint)) = damaged.first() {
+        let (what, count) = (&complaint.what, damaged.len());
+        said.push(format!("{file}:{first}: {what}; sentences that are damaged, left out: {count}"));
     }
     if without > 0 {
         said.push(format!("{file}: sentences without a position, left out: {without}"));
@@ -114,7 +120,32 @@ pub fn read(file: &str, text: &str) -> Result<Track, InputError> {
         None => said.push(format!("{file}: no RMC tells the date, so times are those of the day")),
     }
     let scale = midnight_s.map(|_| Scale::Utc);
-    Ok(Track { scale, fixes, said, ..Track::default() })
+    Ok(Track { scale, fixes, said, damaged, ..Track::default() })
+}
+
+/// Why a sentence cannot be read.
+fn complaint(error: &Error<'_>, sentence: &str) -> Complaint {
+    match error {
+        Error::ChecksumMismatch { calculated, found } => {
+            let what =
+                format!("the checksum is {found:02X}, that of what stands here {calculated:02X}");
+            Complaint::new(what, "sentences as the receiver wrote them")
+        }
+        // The checksum is the end.
+        _ if !sentence.contains('*') => cut(sentence),
+        _ => Complaint::new("the sentence cannot be read", "GGA and RMC of NMEA 0183"),
+    }
+}
+
+fn cut(sentence: &str) -> Complaint {
+    let what = format!("the sentence is cut: it ends in \"{}\"", tail(sentence));
+    Complaint::new(what, "sentences with their checksum, as in *5C")
+}
+
+/// The last characters of a sentence, or all of it.
+fn tail(sentence: &str) -> String {
+    let most = sentence.chars().count().saturating_sub(12);
+    sentence.chars().skip(most).collect()
 }
 
 /// The decimal number that was read, which single precision stands for.

@@ -3,6 +3,7 @@
 use super::fine::{Refined, Stretch};
 use super::{warn, words};
 use crate::input::{Complaint, InputError};
+use crate::number::fixed;
 use crate::output::say;
 use crate::recording::navigation::NavigationRow;
 use crate::units::{DEGREE, DEGREE_PER_HOUR};
@@ -29,6 +30,38 @@ const POOR_LEVEL: f64 = 0.5 * DEGREE;
 /// field and 5 km of altitude stay below.
 pub const NOTICED_FORCE: f64 = 0.002;
 
+/// Where the heading comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Heading {
+    /// It is known otherwise, rad.
+    Known(f64),
+    /// The gyros find it; `--heading` could have stated it.
+    FoundOrStated,
+    /// The gyros find it, and nothing else does.
+    Found,
+}
+
+impl Heading {
+    fn known(self) -> Option<f64> {
+        match self {
+            Self::Known(heading) => Some(heading),
+            Self::FoundOrStated | Self::Found => None,
+        }
+    }
+
+    /// What is accepted where the gyros find none.
+    fn accepted(self) -> &'static str {
+        match self {
+            Self::Known(_) | Self::FoundOrStated => {
+                "--heading DEG, a heading that is known otherwise"
+            }
+            Self::Found => {
+                "gyros of smaller errors, a stretch at rest, or `schuler replay` with --align S and --heading DEG"
+            }
+        }
+    }
+}
+
 /// What gathers a stretch of a length, s.
 pub fn gather(length_s: f64) -> Still<f64> {
     Still::new(piece_s(length_s))
@@ -39,20 +72,20 @@ fn piece_s(length_s: f64) -> f64 {
     PIECE_S.min(length_s / FEWEST_PIECES)
 }
 
-/// The state at rest that a stretch speaks of, judged and said; `heading` is one that is known
-/// otherwise, rad, and `missing` the samples that the stretch lacks. With the samples themselves, the fine
-/// alignment on them.
+/// The state at rest that a stretch speaks of, judged and said; `missing` counts the samples that the stretch lacks.
+/// With the samples themselves, the fine alignment on them.
 #[expect(clippy::too_many_arguments, reason = "what is said of one stretch")]
 pub fn align(
     still: &Still<f64>,
     said: Kind,
     file: &str,
     initial: &NavigationRow,
-    heading: Option<f64>,
+    sought: Heading,
     samples: usize,
     missing: u64,
     fine: Option<&Stretch>,
 ) -> Result<(NavigationRow, Option<Refined>), InputError> {
+    let heading = sought.known();
     let refuse = |complaint| Err(InputError::file(file, complaint));
     let Some(readings) = still.readings() else {
         return refuse(Complaint::new(AlignmentError::Empty.to_string(), ""));
@@ -76,13 +109,15 @@ pub fn align(
         Some(_) => level,
         None => {
             if !quality.heading_sigma.is_within(WORST_HEADING) {
-                return refuse(no_heading(&readings, &quality, &place));
+                return refuse(no_heading(&readings, &quality, &place, sought));
             }
             let found = still.alignment().attitude();
-            found.map_err(|e| InputError::file(file, Complaint::new(e.to_string(), HEADING)))?
+            found.map_err(|e| {
+                InputError::file(file, Complaint::new(e.to_string(), sought.accepted()))
+            })?
         }
     };
-    poor(&readings, &quality, &place, heading.is_none());
+    poor(&readings, &quality, &place, sought);
     say(&text(&readings, &quality, &attitude, heading.is_some(), samples, missing))?;
     let coarse = NavigationRow { attitude, velocity_ned: Vector::ZERO, ..*initial };
     // A heading that is known otherwise is better than one that a filter would find.
@@ -105,10 +140,13 @@ pub fn down_b(attitude: &Euler<f64>) -> Vector<f64> {
     Vector::new(-sp, cp * sr, cp * cr)
 }
 
-const HEADING: &str = "--heading DEG, a heading that is known otherwise";
-
 /// Why no heading is found.
-fn no_heading(readings: &Readings<f64>, quality: &Quality<f64>, place: &Place<f64>) -> Complaint {
+fn no_heading(
+    readings: &Readings<f64>,
+    quality: &Quality<f64>,
+    place: &Place<f64>,
+    sought: Heading,
+) -> Complaint {
     let across = words::rate(place.rate_north);
     let latitude = place.position.latitude / DEGREE;
     let (off, sigma) = (words::rate(quality.rate_off), words::rate(readings.rate_sigma));
@@ -130,11 +168,12 @@ fn no_heading(readings: &Readings<f64>, quality: &Quality<f64>, place: &Place<f6
             words::rate(words::EARTH),
         )
     };
-    Complaint::new(what, HEADING)
+    Complaint::new(what, sought.accepted())
 }
 
 /// Says what is poor.
-fn poor(readings: &Readings<f64>, quality: &Quality<f64>, place: &Place<f64>, found: bool) {
+fn poor(readings: &Readings<f64>, quality: &Quality<f64>, place: &Place<f64>, sought: Heading) {
+    let found = sought.known().is_none();
     if quality.force_off.abs() > NOTICED_FORCE * place.gravity {
         warn(&words::force_is_off(quality.force_off, place));
     }
@@ -143,9 +182,11 @@ fn poor(readings: &Readings<f64>, quality: &Quality<f64>, place: &Place<f64>, fo
     }
     let (off, sigma) = (words::rate(quality.rate_off), words::rate(readings.rate_sigma));
     if found && quality.heading_sigma > POOR_HEADING {
+        let better =
+            if sought == Heading::Found { "" } else { "; --heading DEG states a better one" };
         warn(&format!(
             "heading is good to {} only: the gyros are off by {off} at least, and their mean is good to \
-             {sigma} by its scatter; --heading DEG states a better one",
+             {sigma} by its scatter{better}",
             degrees(quality.heading_sigma)
         ));
     }
@@ -180,7 +221,7 @@ fn text(
     samples: usize,
     missing: u64,
 ) -> String {
-    let show = |angle: f64, sigma: f64| format!("{:.*}°", decimals(sigma / DEGREE), angle / DEGREE);
+    let show = |angle: f64, sigma: f64| fixed(angle / DEGREE, decimals(sigma / DEGREE)) + "°";
     let level = |angle| show(angle, quality.level_sigma);
     let lost = if missing > 0 { format!(", {missing} missing") } else { String::new() };
     let mut yaw = attitude.yaw.rem_euclid(360.0 * DEGREE);

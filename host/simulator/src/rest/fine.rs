@@ -2,6 +2,7 @@
 
 use super::warn;
 use crate::input::{Complaint, InputError};
+use crate::number::fixed;
 use crate::output::say;
 use crate::recording::navigation::NavigationRow;
 use crate::units::{DEGREE, DEGREE_PER_HOUR, DEGREE_PER_ROOT_HOUR};
@@ -203,25 +204,17 @@ fn text(aligned: &Aligned<f64>, sensors: &Limit<f64>, here: &Surroundings<f64>) 
     let [north, east] = aligned.level_sigma;
     let limit = degrees(sensors.heading(here, aligned.seconds));
     let three = |v: Vector<f64>, unit: f64, decimals: usize| {
-        format!(
-            "{:.*}, {:.*}, {:.*}",
-            decimals,
-            v.x / unit,
-            decimals,
-            v.y / unit,
-            decimals,
-            v.z / unit
-        )
+        v.into_array().map(|x| fixed(x / unit, decimals)).join(", ")
     };
     let [gyro, gyro_sigma] = aligned.gyro_bias;
     let [force, force_sigma] = aligned.accelerometer_bias;
     format!(
-        "fine: roll {:.4}°, pitch {:.4}°, heading {:.4}° (1σ: level {:.4}°, heading {:.4}°; theory allows \
+        "fine: roll {}°, pitch {}°, heading {:.4}° (1σ: level {:.4}°, heading {:.4}°; theory allows \
          {limit:.4}°)\n\
          gyro biases {} °/h (1σ {}), accelerometer biases {} µg (1σ {}); noise {:.2e} °/√h; residuals {:.2} of \
          what is expected\n",
-        degrees(aligned.attitude.roll),
-        degrees(aligned.attitude.pitch),
+        fixed(degrees(aligned.attitude.roll), 4),
+        fixed(degrees(aligned.attitude.pitch), 4),
         degrees(aligned.attitude.yaw).rem_euclid(360.0),
         degrees(north.max(east)),
         degrees(aligned.heading_sigma),

@@ -3,7 +3,7 @@
 mod path;
 
 use super::alignment::BLOCK;
-use super::{Channel, Scene, Trajectory, Vertical, WindowShape};
+use super::{Channel, Scene, SensorErrors, Trajectory, Vertical, WindowShape};
 use crate::aided::smoother;
 use crate::course::HARMONICS;
 use crate::input::{Complaint, Range};
@@ -205,7 +205,7 @@ pub fn aiding(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
         return refuse("navigator.vertical", "is held, and aiding finds it", accepted);
     }
     if scene.link.loss > 0.0 || scene.link.jitter_s > 0.0 {
-        let what = "an aided navigator takes every sample, at its time";
+        let what = "loses or shifts samples, and an aided navigator takes every one at its time";
         return refuse("link", what, "no loss and no jitter_s");
     }
     if scene.alignment.is_some() {
@@ -255,18 +255,22 @@ fn alignment(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
 
 /// Refuses a latency of more samples than the core keeps.
 fn latency(scene: &Scene) -> Result<(), (&'static str, Complaint)> {
-    let longest_s = f64::from(LONGEST) / scene.rate_hz;
     let sensors =
         [("gyro.latency_s", &scene.gyro), ("accelerometer.latency_s", &scene.accelerometer)];
     for (key, errors) in sensors {
-        let delays = errors.latency.into_iter().flatten();
-        if let Some(delay_s) = delays.into_iter().find(|delay_s| *delay_s > longest_s) {
-            let what = format!("{delay_s} s is more than {LONGEST} samples");
-            let accepted = format!("seconds, from 0 to {longest_s}");
-            return Err((key, Complaint::new(what, accepted)));
-        }
+        latency_of(errors, scene.rate_hz).map_err(|complaint| (key, complaint))?;
     }
     Ok(())
+}
+
+/// The same of one kind of sensors.
+pub fn latency_of(errors: &SensorErrors, rate_hz: f64) -> Result<(), Complaint> {
+    let longest_s = f64::from(LONGEST) / rate_hz;
+    let mut delays = errors.latency.into_iter().flatten();
+    delays.find(|delay_s| *delay_s > longest_s).map_or(Ok(()), |delay_s| {
+        let what = format!("{delay_s} s is more than {LONGEST} samples");
+        Err(Complaint::new(what, format!("seconds, from 0 to {longest_s}")))
+    })
 }
 
 /// Refuses a jitter that would change the order of samples.

@@ -18,7 +18,7 @@ use schuler::sensor::constant::Constant;
 use schuler::sensor::flicker::Flicker;
 use schuler::sensor::g_sensitivity::GSensitivity;
 use schuler::sensor::g_sensitivity_matrix::GSensitivityMatrix;
-use schuler::sensor::latency::Latency;
+use schuler::sensor::latency::{LONGEST, Latency};
 use schuler::sensor::misalignment::Misalignment;
 use schuler::sensor::misalignment_matrix::MisalignmentMatrix;
 use schuler::sensor::parameter::ParameterError;
@@ -125,9 +125,13 @@ impl Source {
 
 const SCALE: Range = Range::from_to(-1e6, 1e6, "ppm, from -1e6 to 1e6");
 const SMALL_ANGLE: Range = Range::from_to(-36000.0, 36000.0, "arcsec, from -36000 to 36000 (10°)");
-const ANY: Range = Range::FINITE;
-const RMS: Range = Range::NOT_NEGATIVE;
-const STEP: Range = Range::POSITIVE;
+// No sensor is near the greatest in any unit of a file; what is far beyond cannot be computed with.
+const ANY: Range = Range::from_to(-1e12, 1e12, "a number from -1e12 to 1e12");
+const RMS: Range = Range::from_to(0.0, 1e12, "a number from 0 up to 1e12");
+const STEP: Range = Range::above(0.0, 1e12, "a number above 0, up to 1e12");
+// The most samples that the core keeps, of the longest: those of 1 Hz. A scene's own rate allows less.
+const DELAY: Range =
+    Range::from_to(0.0, LONGEST as f64, "seconds, from 0 to 8 samples, so 8 at most");
 
 const fn key(key: &'static str, unit: f64, symbol: &'static str) -> Option<Key> {
     Some(Key { key, unit, symbol })
@@ -224,7 +228,7 @@ terms! {
         gyro key("bandwidth_hz", 1.0, "Hz"),
         accelerometer key("bandwidth_hz", 1.0, "Hz"),
         bandwidth = Bandwidth(x, timing);
-    "latency": latency Axes in RMS, Source::Systematic(felt::delayed),
+    "latency": latency Axes in DELAY, Source::Systematic(felt::delayed),
         gyro key("latency_s", 1.0, "s"),
         accelerometer key("latency_s", 1.0, "s"),
         latency = Latency(x, timing);

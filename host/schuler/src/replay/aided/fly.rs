@@ -24,6 +24,7 @@ use schuler_simulator::aided::smoother;
 use schuler_simulator::aided::unit;
 use schuler_simulator::aided::vehicle::AidedVehicle;
 use schuler_simulator::input::{Complaint, InputError};
+use schuler_simulator::number::counted;
 use schuler_simulator::recording::rows::Recording;
 use schuler_simulator::recording::samples::Sample;
 use schuler_simulator::recording::survey::Survey;
@@ -228,7 +229,8 @@ impl Flying<'_> {
         let mut text = crate::aided::lines(&report);
         text += &crate::aided::found(&navigator.found());
         if self.early > 0 {
-            text += &format!("{} measurements are of times before the start\n", self.early);
+            let early = counted(self.early as u64, "measurement is", "measurements are");
+            text += &format!("{early} of times before the start\n");
         }
         text += &withheld::lines(&self.withheld);
         let digest = navigator.digest();

@@ -12,6 +12,7 @@ in its name. A sample's time is the end of its interval.
 
 from schuler._schuler import (
     Aided,
+    AidedEnsemble,
     Aligned,
     Allan,
     Emulation,
@@ -25,6 +26,7 @@ from schuler._schuler import (
     Table,
     Trajectory,
     __version__,
+    aided_ensemble,
     align,
     allan,
     datasheet,
@@ -41,6 +43,7 @@ from schuler.errors import Error, FlightError, InputError
 
 __all__ = [
     "Aided",
+    "AidedEnsemble",
     "Aligned",
     "Allan",
     "Emulation",
@@ -57,6 +60,7 @@ __all__ = [
     "Table",
     "Trajectory",
     "__version__",
+    "aided_ensemble",
     "align",
     "allan",
     "datasheet",

@@ -20,6 +20,7 @@ from schuler.types import (
 
 __all__ = [
     "Aided",
+    "AidedEnsemble",
     "Aligned",
     "Allan",
     "Emulation",
@@ -33,6 +34,7 @@ __all__ = [
     "Table",
     "Trajectory",
     "__version__",
+    "aided_ensemble",
     "align",
     "allan",
     "datasheet",
@@ -107,7 +109,19 @@ def ensemble(
     **options: Unpack[EnsembleOptions],
 ) -> Ensemble:
     """Flies many runs of a scene (64 unless told), on all processors unless told; a run depends on its number and the
-    seed alone. `at` is a number of times or times in seconds, `budget` flies so many runs without each error term."""
+    seed alone. `at` is a number of times or times in seconds, `budget` flies so many runs without each error term. A
+    scene that is aided is for `aided_ensemble`."""
+
+def aided_ensemble(
+    scene: SceneLike | None = None,
+    runs: int | None = None,
+    *,
+    at: int | str | Sequence[float] | npt.NDArray[np.float64] | None = None,
+    budget: int | None = None,
+    threads: int | None = None,
+    **options: Unpack[EnsembleOptions],
+) -> AidedEnsemble:
+    """The same of a scene that is aided, whose runs are held against what their filters say."""
 
 def align(
     increments: Increments,
@@ -410,6 +424,63 @@ class Ensemble:
     @property
     def verdict(self) -> list[str]:
         """What parts from theory, in sentences."""
+    @property
+    def summary(self) -> dict[str, Any]:
+        """`ensemble.json`, without the command line and the files."""
+    @property
+    def text(self) -> str:
+        """What the program prints."""
+    def report(self) -> str:
+        """`ensemble.html`."""
+    def _repr_html_(self) -> str: ...
+
+@final
+class AidedEnsemble:
+    """Aided runs beside what their filters say; in a notebook they show their page. Arrays have a row for each instant."""
+
+    @property
+    def scene(self) -> Scene:
+        """As flown."""
+    @property
+    def runs(self) -> int:
+        """Runs that were flown."""
+    @property
+    def names(self) -> list[str]:
+        """Of the nine numbers: position, velocity, attitude."""
+    @property
+    def groups(self) -> list[str]:
+        """Of those of the nine that NEES is told of: all, position, velocity, attitude."""
+    @property
+    def time_s(self) -> Array:
+        """Of the instants."""
+    @property
+    def drift(self) -> Array:
+        """Instant, run, number: computed less true, of the runs that reached their end."""
+    @property
+    def rms(self) -> Array:
+        """Instant, number: root of the mean square over the runs."""
+    @property
+    def sigma(self) -> Array:
+        """Instant, number: root of the mean variance that the filters say."""
+    @property
+    def nees(self) -> Array:
+        """Instant, group: the mean of eᵀP⁻¹e over the runs, by its degrees of freedom: 1 is expected."""
+    @property
+    def nees_expected(self) -> Array:
+        """Instant, group, two: where 95 % of such means lie."""
+    @property
+    def smoothed(self) -> dict[str, Array] | None:
+        """`time_s`, `rms`, `sigma`, `nees` and `nees_expected` of smoothed runs, at the instants that smoothers reach;
+        None unless the scene asks for a smoother."""
+    @property
+    def failed(self) -> list[tuple[int, int, str]]:
+        """Number, sample and reason of each run that did not reach its end."""
+    @property
+    def tests(self) -> tuple[int, int]:
+        """Tests of NEES: how many, and how many fail."""
+    @property
+    def verdict(self) -> list[str]:
+        """How errors part from what the filters say, in sentences."""
     @property
     def summary(self) -> dict[str, Any]:
         """`ensemble.json`, without the command line and the files."""

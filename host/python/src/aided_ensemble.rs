@@ -9,7 +9,7 @@ use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use schuler_host::ensemble::aided::findings::Findings;
-use schuler_host::ensemble::aided::{page, shares, text};
+use schuler_host::ensemble::aided::{csv, page, shares, text};
 use schuler_host::ensemble::conclusion::{command, threads};
 use schuler_host::ensemble::files::Extra;
 use schuler_host::ensemble::stops;
@@ -24,7 +24,6 @@ use schuler_simulator::input::{Complaint, InputError};
 use schuler_simulator::scene::WindowShape;
 use schuler_simulator::simulate::FlightError;
 use schuler_simulator::source::Source;
-use schuler_simulator::units::ARCSECOND;
 
 /// Numbers of an instant.
 const NINE: usize = Nine::NAMES.len();
@@ -51,7 +50,7 @@ pub struct AidedEnsemble {
     /// Instant, group, two: where 95 % of such means lie.
     #[pyo3(get)]
     nees_expected: Py<PyArray3<f64>>,
-    /// As `rms` and `sigma`, of smoothed runs.
+    /// `time_s`, `rms`, `sigma`, `nees` and `nees_expected` of smoothed runs, at the instants that smoothers reach.
     #[pyo3(get)]
     smoothed: Option<Py<PyDict>>,
 }
@@ -215,47 +214,54 @@ impl Found {
         let drifts = findings.values.iter().flat_map(|values| values.numbers.as_flattened());
         let drift = PyArray1::from_vec(py, drifts.copied().collect());
         let drift = drift.reshape([count, self.kept.ended.len(), NINE])?.unbind();
-        let nees = instants.iter().flat_map(|at| at.nees).collect();
-        let expected = instants.iter().flat_map(|at| at.expected.as_flattened()).copied().collect();
+        let [rms, sigma] = both(py, instants)?;
         let smoothed = match findings.smoothed.is_empty() {
             true => None,
             false => Some(smoothed(py, &findings.smoothed)?),
         };
         Ok(AidedEnsemble {
-            time_s: PyArray1::from_vec(py, times(instants)).unbind(),
+            time_s: times(py, instants),
             drift,
-            rms: nine(py, instants, |at| &at.rms)?,
-            sigma: nine(py, instants, |at| &at.sigma)?,
-            nees: PyArray1::from_vec(py, nees).reshape([count, GROUPS.len()])?.unbind(),
-            nees_expected: PyArray1::from_vec(py, expected)
-                .reshape([count, GROUPS.len(), 2])?
-                .unbind(),
+            rms,
+            sigma,
+            nees: nees(py, instants)?,
+            nees_expected: expected(py, instants)?,
             smoothed,
             found: self,
         })
     }
 }
 
-fn times(instants: &[Together]) -> Vec<f64> {
-    instants.iter().map(|at| at.time_s).collect()
+fn times(py: Python<'_>, instants: &[Together]) -> Py<PyArray1<f64>> {
+    PyArray1::from_vec(py, instants.iter().map(|at| at.time_s).collect()).unbind()
 }
 
-/// Nine numbers of each instant, in the units of files.
-fn nine(
-    py: Python<'_>,
-    instants: &[Together],
-    of: fn(&Together) -> &[f64; NINE],
-) -> PyResult<Py<PyArray2<f64>>> {
-    let unit = |i: usize| if i < 6 { 1.0 } else { ARCSECOND };
-    let row = |at| of(at).iter().enumerate().map(|(i, x)| x / unit(i)).collect::<Vec<_>>();
-    let numbers: Vec<f64> = instants.iter().flat_map(row).collect();
-    Ok(PyArray1::from_vec(py, numbers).reshape([instants.len(), NINE])?.unbind())
+/// Rms and σ of each instant, in the units of files.
+fn both(py: Python<'_>, instants: &[Together]) -> PyResult<[Py<PyArray2<f64>>; 2]> {
+    let nine = |of: fn(&Together) -> &[f64; NINE]| -> PyResult<Py<PyArray2<f64>>> {
+        let numbers = instants.iter().flat_map(|at| csv::of_files(of(at))).collect();
+        Ok(PyArray1::from_vec(py, numbers).reshape([instants.len(), NINE])?.unbind())
+    };
+    Ok([nine(|at| &at.rms)?, nine(|at| &at.sigma)?])
+}
+
+fn nees(py: Python<'_>, instants: &[Together]) -> PyResult<Py<PyArray2<f64>>> {
+    let numbers = instants.iter().flat_map(|at| at.nees).collect();
+    Ok(PyArray1::from_vec(py, numbers).reshape([instants.len(), GROUPS.len()])?.unbind())
+}
+
+fn expected(py: Python<'_>, instants: &[Together]) -> PyResult<Py<PyArray3<f64>>> {
+    let numbers = instants.iter().flat_map(|at| at.expected.as_flattened()).copied().collect();
+    Ok(PyArray1::from_vec(py, numbers).reshape([instants.len(), GROUPS.len(), 2])?.unbind())
 }
 
 fn smoothed(py: Python<'_>, instants: &[Together]) -> PyResult<Py<PyDict>> {
     let dict = PyDict::new(py);
-    dict.set_item("time_s", PyArray1::from_vec(py, times(instants)))?;
-    dict.set_item("rms", nine(py, instants, |at| &at.rms)?)?;
-    dict.set_item("sigma", nine(py, instants, |at| &at.sigma)?)?;
+    let [rms, sigma] = both(py, instants)?;
+    dict.set_item("time_s", times(py, instants))?;
+    dict.set_item("rms", rms)?;
+    dict.set_item("sigma", sigma)?;
+    dict.set_item("nees", nees(py, instants)?)?;
+    dict.set_item("nees_expected", expected(py, instants)?)?;
     Ok(dict.unbind())
 }

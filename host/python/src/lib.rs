@@ -3,6 +3,7 @@
 //! | file | what it has |
 //! |---|---|
 //! | `run`, `emulate`, `replay`, `ensemble`, `allan`, `align` | the commands, each a function |
+//! | `aided_ensemble` | what `ensemble` is of an aided scene |
 //! | `scene`, `options`, `toml`, `log` | scenes: names, files, texts, dicts; what replaces their values |
 //! | `trajectory`, `navigator`, `flying`, `state` | a motion, a navigator sample by sample, where it starts and is |
 //! | `steps` | every step of a navigator, in bits |

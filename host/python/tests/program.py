@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 import schuler
+import schuler.types
 
 GOLDEN = Path(os.environ["SCHULER_ROOT"]) / "tests/golden"
 TURNS = GOLDEN / "turns.toml"
@@ -44,11 +45,16 @@ def summary(folder: Path) -> dict[str, Any]:
     return tree
 
 
-def assert_same(table: schuler.Table, file: Path) -> None:
-    """Every column of a file is in the table, bit for bit; of numbers that are none the file has nothing or NaN."""
+def columns(file: Path) -> dict[str, schuler.types.Array]:
+    """The columns of a file; of numbers that are none it has nothing or NaN."""
     with file.open() as lines:
         header, *rows = csv.reader(lines)
     numbers = np.array([[float(field or "nan") for field in row] for row in rows])
-    assert len(numbers) == len(table) > 0
-    for place, name in enumerate(header):
-        np.testing.assert_array_equal(table[name], numbers[:, place], err_msg=f"{file.name}: {name}")
+    return {name: numbers[:, place] for place, name in enumerate(header)}
+
+
+def assert_same(table: schuler.Table, file: Path) -> None:
+    """Every column of a file is in the table, bit for bit."""
+    for name, numbers in columns(file).items():
+        assert len(numbers) == len(table) > 0
+        np.testing.assert_array_equal(table[name], numbers, err_msg=f"{file.name}: {name}")

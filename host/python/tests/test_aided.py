@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import re
 import tempfile
 import tomllib
 import unittest
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from program import assert_same, complaint, done, summary
+from program import assert_same, columns, complaint, done, summary
 
 import schuler
+from schuler.types import Array
 
 #: A drive with a barometer beside the receiver, which is silent for twenty seconds.
 DRIVE = """rate_hz = 50
@@ -206,6 +209,81 @@ class Aiding(unittest.TestCase):
             error = self.refused(gnss=gnss, **{name: value})
             self.assertEqual(error.key, option)
             self.assertIn(str(error).removeprefix(f"{option}: "), told)
+
+    def assert_told(self, told: Mapping[str, Array], groups: list[str], names: list[str], file: str) -> None:
+        """What is told of the instants is a file of them, bit for bit."""
+        mine = {"time_s": told["time_s"]}
+        for kind in ("rms", "sigma"):
+            mine |= {f"{name}_{kind}": told[kind][:, i] for i, name in enumerate(names)}
+        for i, name in enumerate(groups):
+            mine[f"nees_{name}"] = told["nees"][:, i]
+            mine |= {f"nees_{name}_{end}": told["nees_expected"][:, i, j] for j, end in enumerate(("least", "most"))}
+        written = columns(self.folder / file)
+        self.assertEqual(list(mine), list(written))
+        for name, numbers in written.items():
+            self.assertGreater(len(numbers), 1)
+            np.testing.assert_array_equal(mine[name], numbers, err_msg=f"{file}: {name}")
+
+    def test_an_ensemble_is_the_programs(self) -> None:
+        scene = self.scene()
+        printed = done(
+            "ensemble", scene, "--runs", 6, "--duration", 80, "--at", "30s,55s", "--budget", 2, "--keep", "--out", self.folder
+        )  # fmt: skip
+        runs = schuler.aided_ensemble(scene, 6, at=[30, 55], budget=2, duration=80)
+        self.assertIsInstance(runs, schuler.AidedEnsemble)
+        self.assertIn("What each term contributes", runs.text)
+        self.assertTrue(printed.startswith(f"{runs.text}6 runs in "), printed)
+        self.assertEqual((str(runs), runs.runs, runs.failed), (runs.text, 6, []))
+        self.assertEqual((runs.drift.shape, runs.nees_expected.shape), ((3, 6, 9), (3, 4, 2)))
+        # Blocks of some samples end soon after.
+        np.testing.assert_allclose(runs.time_s, [30, 55, 80], atol=0.2)
+        told = {name: getattr(runs, name) for name in ("time_s", "rms", "sigma", "nees", "nees_expected")}
+        self.assert_told(told, runs.groups, runs.names, "aided.csv")
+        assert runs.smoothed is not None
+        self.assert_told(runs.smoothed, runs.groups, runs.names, "smoothed.csv")
+        every = columns(self.folder / "runs.csv")
+        np.testing.assert_array_equal(every["run"], np.repeat(np.arange(6), 3))
+        np.testing.assert_array_equal(every["time_s"], np.tile(runs.time_s, 6))
+        for i, name in enumerate(runs.names):
+            np.testing.assert_array_equal(runs.drift[:, :, i].T.ravel(), every[name], err_msg=name)
+        written = json.loads((self.folder / "ensemble.json").read_text())
+        for key in ("command", "files", "time"):
+            written.pop(key)
+        mine = runs.summary
+        mine.pop("time")
+        self.assertEqual(mine, written)
+        self.assertEqual((runs.verdict, runs.tests[0]), (written["verdict"], 12))
+        # Each names the command line that it was made by.
+        pages = (runs.report(), (self.folder / "ensemble.html").read_text())
+        own, programs = (re.sub("<code>schuler .*?</code>", "", page) for page in pages)
+        self.assertEqual(own, programs)
+        self.assertIn("<iframe", runs._repr_html_())
+        single = schuler.aided_ensemble(scene, runs=6, at="30s,55s", threads=1, duration=80)
+        np.testing.assert_array_equal(single.drift, runs.drift)
+
+    def test_an_ensemble_is_its_flights(self) -> None:
+        runs = schuler.aided_ensemble(drive(), runs=3, at=1, duration=40)
+        flights = [schuler.run(drive(), run=number, duration=40).drift for number in range(3)]
+        last = {name: np.array([flight[name][-1] for flight in flights]) for name in flights[0]}
+        for i, name in enumerate(runs.names):
+            np.testing.assert_allclose(runs.drift[-1, :, i], last[name], rtol=1e-12, err_msg=name)
+            np.testing.assert_allclose(runs.rms[-1, i], np.sqrt(np.mean(last[name] ** 2)), rtol=1e-12)
+            np.testing.assert_allclose(runs.sigma[-1, i], np.sqrt(np.mean(last[f"{name}_sigma"] ** 2)), rtol=1e-12)
+        self.assertIsNone(schuler.aided_ensemble("aided-drive", runs=2, at=1, duration=5).smoothed)
+
+    def test_each_ensemble_refuses_the_others_scenes(self) -> None:
+        with self.assertRaises(schuler.InputError) as raised:
+            schuler.ensemble("aided-drive", runs=2)
+        told = "scene: is aided; accepted: aided_ensemble(), or a scene that is not"
+        self.assertEqual((str(raised.exception), raised.exception.key), (told, "scene"))
+        with self.assertRaises(schuler.InputError) as raised:
+            schuler.aided_ensemble("paper", runs=2)
+        told = "scene: is not aided; accepted: a scene with [gnss] or the like; ensemble() flies others"
+        self.assertEqual((str(raised.exception), raised.exception.key), (told, "scene"))
+        told = complaint("ensemble", "aided-drive", "--at", "700s", "--out", self.folder)
+        with self.assertRaises(schuler.InputError) as raised:
+            schuler.aided_ensemble("aided-drive", at="700s")
+        self.assertEqual(str(raised.exception), told)
 
     def test_a_page_is_made_once(self) -> None:
         flight = schuler.run("paper", duration=10)

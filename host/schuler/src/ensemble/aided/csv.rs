@@ -39,9 +39,8 @@ pub fn errors(instants: &[Together]) -> Vec<u8> {
     for one in instants {
         text += &one.time_s.to_string();
         for nine in [&one.rms, &one.sigma] {
-            for (i, x) in nine.iter().enumerate() {
-                let unit = if i < 6 { 1.0 } else { 1.0 / ARCSECOND };
-                text += &format!(",{}", x * unit);
+            for x in of_files(nine) {
+                text += &format!(",{x}");
             }
         }
         for (nees, [least, most]) in one.nees.iter().zip(one.expected) {
@@ -50,6 +49,11 @@ pub fn errors(instants: &[Together]) -> Vec<u8> {
         text.push('\n');
     }
     text.into_bytes()
+}
+
+/// Nine numbers in the units of files: m, m/s, arcsec.
+pub fn of_files(nine: &[f64; 9]) -> [f64; 9] {
+    std::array::from_fn(|i| if i < 6 { nine[i] } else { nine[i] * (1.0 / ARCSECOND) })
 }
 
 /// As of an ensemble that is compared with theory, which is not known.

@@ -28,9 +28,10 @@ rm -r "$tree/core/examples"
 
 # The tests that need core alone, as a package of their own: a change of core builds neither simulator nor host.
 alone=$tree/alone
-mkdir -p "$alone/src"
+mkdir -p "$alone/src/rounding"
 cp -r "$tree/tests/tests" "$alone/tests"
-cp -r "$tree/tests/src/numbers.rs" "$tree/host/simulator/src/rounding/split_mix.rs" "$alone/src"
+cp "$tree/tests/src/numbers.rs" "$alone/src"
+cp "$tree/host/simulator/src/rounding/split_mix.rs" "$alone/src/rounding"
 sed -i 's/^members = \[/&"alone", /' "$tree/Cargo.toml"
 cat >"$alone/Cargo.toml" <<'END'
 [package]
@@ -56,7 +57,6 @@ END
 cat >"$alone/src/lib.rs" <<'END'
 extern crate self as schuler_simulator;
 pub mod rounding {
-    #[path = "../split_mix.rs"]
     pub mod split_mix;
 }
 mod numbers;

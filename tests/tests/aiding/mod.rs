@@ -14,6 +14,7 @@ mod factors;
 mod figures;
 mod filter;
 mod riccati;
+mod rows;
 mod smoother;
 mod standstill;
 mod transition;

@@ -13,6 +13,7 @@ mod emulators;
 mod factors;
 mod figures;
 mod filter;
+mod processes;
 mod riccati;
 mod rows;
 mod smoother;

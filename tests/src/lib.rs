@@ -1,6 +1,9 @@
 //! What the tests share: scenes as streams of perfect samples, the bits of states, numbers to try.
 
 pub mod baseline;
+mod numbers;
+
+pub use numbers::{Numbers, bits, largest, near, reader};
 
 /// The code of the repository's front page.
 #[cfg(doctest)]
@@ -9,13 +12,10 @@ struct FrontPage;
 
 use schuler::drift::compare::drift;
 use schuler::math::compensated::Pair;
-use schuler::math::vector::Vector;
 use schuler::output::Output as _;
-use schuler::record::Record;
 use schuler::sample::Increment;
 use schuler::solution::Solution;
 use schuler::strapdown::mechanization::Mechanization;
-use schuler_simulator::rounding::split_mix;
 use schuler_simulator::scene::{
     Channel, InitialError, Link, Navigator, Scene, SensorErrors, Trajectory, builtin,
 };
@@ -83,43 +83,6 @@ impl Course {
     }
 }
 
-/// Who reads rows, as one type for all closures: every type is a copy of the navigator to compile.
-pub fn reader<'a, O>(read: &'a mut (dyn FnMut(u64, O) + 'a)) -> &'a mut (dyn FnMut(u64, O) + 'a) {
-    read
-}
-
-/// The largest of some numbers; NaN if there is one.
-pub fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
-    numbers.into_iter().fold(0.0, |a, b| if a.is_nan() || a > b { a } else { b })
-}
-
-/// The bits of every field.
-pub fn bits<S: Record>(state: &S) -> Vec<u64> {
-    let mut words = Vec::new();
-    state.record("", &mut |_, word| words.push(word));
-    words
-}
-
-/// Reproducible numbers to try: Steele, Lea and Flood's SplitMix64.
-pub struct Numbers(pub u64);
-
-impl Numbers {
-    /// Sixty-four bits.
-    pub fn word(&mut self) -> u64 {
-        split_mix::word(&mut self.0)
-    }
-
-    /// Evenly within ±bound.
-    pub fn within(&mut self, bound: f64) -> f64 {
-        bound * ((self.word() >> 11) as f64 * 2.0_f64.powi(-52) - 1.0)
-    }
-
-    /// Each component evenly within ±bound.
-    pub fn vector(&mut self, bound: f64) -> Vector<f64> {
-        Vector::new((), (), ()).map(|()| self.within(bound))
-    }
-}
-
 /// Perfect sensors at rest: level, heading north, at 45° and 1000 m.
 pub fn at_rest(duration_s: f64) -> Scene {
     let still = |offset| Channel { offset, ..Channel::default() };
@@ -143,10 +106,4 @@ pub fn at_rest(duration_s: f64) -> Scene {
         navigator: Navigator::default(),
         link: Link::default(),
     }
-}
-
-/// Asserts a number to a share of what it should be.
-pub fn near(value: f64, expected: f64, relative: f64, what: &str) {
-    let error = (value - expected).abs();
-    assert!(error <= relative * expected.abs(), "{what}: {value} is not {expected}");
 }

@@ -99,3 +99,43 @@ impl<R: Scalar> Scatter<R> {
         (self.sum * ((n + R::ONE) * R::HALF) - sums) * (R::ONE / squares)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bridge and slope by their definitions, in two passes.
+    fn by_definition(pieces: &[f64]) -> (f64, f64) {
+        let n = pieces.len() as f64;
+        let mean = pieces.iter().sum::<f64>() / n;
+        let (mut sum, mut bridge, mut steep, mut spread) = (0.0, 0.0, 0.0, 0.0);
+        for (k, x) in pieces.iter().enumerate() {
+            sum += x - mean;
+            bridge += sum * sum;
+            let from_middle = k as f64 - 0.5 * (n - 1.0);
+            steep += from_middle * x;
+            spread += from_middle * from_middle;
+        }
+        (6.0 * bridge / (n * (n * n - 1.0)), steep / spread)
+    }
+
+    #[test]
+    fn sums_give_what_two_passes_give() {
+        let pieces = [0.3, -1.1, 2.7, 0.4, 0.9, -0.2, 5.1, 3.0];
+        for count in 2..=pieces.len() {
+            let mut scatter = Scatter::default();
+            for &x in pieces.iter().take(count) {
+                scatter.add(Vector::new(x, -2.0 * x, 7.0));
+            }
+            let (bridge, slope) = by_definition(pieces.get(..count).unwrap_or(&[]));
+            let near = |a: f64, b: f64| (a - b).abs() <= 1e-13 * b.abs();
+            let (variance, steep) = (scatter.variance_of_mean(), scatter.slope());
+            assert!(near(variance.x, bridge) && near(variance.y, 4.0 * bridge), "{variance:?}");
+            assert!(near(steep.x, slope) && near(steep.y, -2.0 * slope), "{count}: {steep:?}");
+            assert!(variance.z == 0.0 && steep.z == 0.0);
+        }
+        let mut one = Scatter::default();
+        one.add(Vector::new(1.0, 2.0, 3.0));
+        assert_eq!((one.variance_of_mean(), one.slope()), (Vector::ZERO, Vector::ZERO));
+    }
+}

@@ -1,6 +1,7 @@
 //! Fine alignment against the limits of theory, in ensembles that are small here.
 
 use super::bases::{ARCMINUTE, LATITUDE, Motion, Read, SENSORS, align, read, settings};
+use schuler::aiding::alignment::aligned::Aligned;
 use schuler::aiding::alignment::base::Base;
 use schuler::aiding::alignment::fine::Fine15;
 use schuler::aiding::alignment::verdict::AlignmentFault;
@@ -143,6 +144,15 @@ fn a_pole_and_broken_samples_are_refused() {
     let broken = Increment { angle_b: Vector::new(f64::NAN, 0.0, 0.0), velocity_b: Vector::ZERO };
     assert!(matches!(fine.push(&mut state, broken), Err(AlignmentFault::Rejected(_))));
     assert_eq!(fine.aligned(&state), before);
+}
+
+#[test]
+fn residuals_fit_up_to_five_of_their_spread() {
+    let fine = fine(LATITUDE).unwrap();
+    let aligned = fine.aligned(&fine.start(Euler::default()).unwrap());
+    // χ² of 1800 degrees of freedom, by its number: σ is 1/30.
+    let fits = |residual| Aligned { residual, accepted: 600, ..aligned }.fits();
+    assert!(fits(0.5) && fits(1.1666) && !fits(1.1667) && !fits(f64::NAN));
 }
 
 #[test]

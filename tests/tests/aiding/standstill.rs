@@ -33,6 +33,7 @@ fn noise_is_taken_for_motion_as_often_as_stated() {
     };
     let windows = 20_000;
     let (mut alarms, mut differ) = (0.0, 0);
+    let (mut ratio, mut ratios) = (0.0, 0.0);
     for _ in 0..windows {
         for k in 0..WINDOW {
             let sample = Increment {
@@ -47,12 +48,21 @@ fn noise_is_taken_for_motion_as_often_as_stated() {
             differ += u32::from(single.push(&mut narrow, &small) != said);
             assert_eq!(said.is_some(), k + 1 == WINDOW);
             alarms += f64::from(u8::from(said == Some(false)));
+            if said.is_some() {
+                ratio = wide.ratio();
+                ratios += ratio;
+            }
+            // It stands until the next window ends.
+            assert_eq!(wide.ratio(), ratio);
         }
     }
     // A binomial: four standard deviations.
     let expected = f64::from(windows) * FALSE_ALARM;
     assert!((alarms - expected).abs() < 4.0 * expected.sqrt(), "{alarms} for {expected}");
     assert!(differ < 20, "{differ}");
+    // χ² over its degrees of freedom has mean 1 and variance 2/n.
+    let (mean, n) = (ratios / f64::from(windows), f64::from(6 * (WINDOW - 1)));
+    assert!((mean - 1.0).abs() < 4.0 * (2.0 / n / f64::from(windows)).sqrt(), "{mean}");
 }
 
 #[test]

@@ -236,6 +236,12 @@ fn a_rebooted_target_goes_on_from_a_stored_state() {
         let expected =
             if is_last { "at 12 of 14: 11111111111111" } else { &format!("{have} words") };
         assert_eq!(heard[0].2, expected);
+        if n == 0 {
+            // A piece may not leave out what stands before it.
+            sequence += 1;
+            let gap = Request::Restore { words, offset: have as u16 + 1, piece: Bytes(&[0; 8]) };
+            assert!(line.tell(&frame(&gap, sequence))[0].2.starts_with("Malformed"));
+        }
         if !is_last {
             // Half restored, it does not navigate.
             sequence += 1;

@@ -95,3 +95,19 @@ fn residual_drift_of_the_textbook() {
         assert_near(drift, expected, &format!("{samples_per_cycle}"));
     }
 }
+
+#[test]
+fn the_textbooks_rotation_is_as_close_as_its_series() {
+    let axis = Vector::new(2.0, -1.0, 2.0) * (1.0 / 3.0);
+    for turn in [0.1, 0.5, 1.0, 1.5, 2.0_f64] {
+        // Two samples about one axis: nothing cones.
+        let sample = Increment { angle_b: axis * turn, velocity_b: Vector::ZERO };
+        let body = Compensated::from_samples(&sample, &sample);
+        let (sine, cosine) = (turn / 2.0).sin_cos();
+        // The terms that follow, x = ¼θ²: x⁵/10! of the cosine, x⁵/11! of the sine over its angle.
+        let left = (turn * turn / 4.0).powi(5) / 3_628_800.0 + 4.0 * f64::EPSILON;
+        assert!((body.rotation.w - cosine).abs() <= left, "{turn}: {:?}", body.rotation);
+        let off = (body.rotation.v - axis * sine).norm();
+        assert!(off <= left * turn / 2.0 / 11.0 + 4.0 * f64::EPSILON, "{turn}: {off:e}");
+    }
+}

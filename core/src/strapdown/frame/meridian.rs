@@ -196,3 +196,29 @@ fn half_angle<R: Real>(x: R) -> (R, R) {
         -(h2 * (R::HALF - h2 * R::of(1.0 / 24.0))),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sine_and_cosine_of_a_step_are_those_of_its_angle() {
+        // The equator is among them: there R_M′ is 0.
+        for latitude in [0.0, 0.4, -1.2] {
+            let (s, c) = Real::sin_cos(latitude);
+            let here = Meridian::at(s, c, 500.0, curvature(s));
+            for north in [0.0, 30.0, -2000.0, 10_000.0] {
+                let change = here.moved(Vector::new(north, 1000.0, -20.0));
+                let d = change.latitude;
+                let (half, _) = Real::sin_cos(0.5 * d);
+                let (sine, _) = Real::sin_cos(d);
+                // The terms that follow, and rounding.
+                let d2 = d * d;
+                let left = d2 * d2 * d2 / 720.0 + 4.0 * f64::EPSILON * d2;
+                assert!((change.cosine_less_one + 2.0 * half * half).abs() <= left, "{change:?}");
+                let left = d2 * d2 * d2 * d.abs() / 5040.0 + 4.0 * f64::EPSILON * d.abs();
+                assert!((change.sine - sine).abs() <= left, "{change:?}");
+            }
+        }
+    }
+}

@@ -252,3 +252,42 @@ fn rotation<R: Real>(body: &BodyMotion<R>) -> Quaternion<Pair<R>> {
     let Quaternion { w, v } = body.rotation;
     Quaternion::new(Pair::new(w), v.zip(body.rotation_low, |hi, lo| Pair { hi, lo }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::earth;
+
+    #[test]
+    fn gravity_beyond_that_of_the_equator_is_the_difference() {
+        for (latitude, altitude) in [(0.0, 0.0), (0.3, -400.0), (0.8, 20_000.0), (-1.57, 3000.0)] {
+            let (s, _) = Real::sin_cos(latitude);
+            let excess = gravity_excess(Pair::new(s), Pair::new(altitude)).hi;
+            let exact = earth::gravity(s, altitude) - EQUATORIAL_GRAVITY;
+            // The fifth term of 1/W − 1, 63/256 of the power, and four ulps of gravity.
+            let bulge = ECCENTRICITY_SQUARED * s * s;
+            let left = 2.5 * (bulge * bulge) * (bulge * bulge) * bulge + 8e-15;
+            assert!((excess - exact).abs() <= left, "{latitude} {altitude}: {excess} {exact}");
+        }
+    }
+
+    #[test]
+    fn the_frames_turn_is_the_product_of_two() {
+        let about = |axis: Vector<f64>, angle: f64| {
+            let (sine, cosine) = Real::sin_cos(0.5 * angle);
+            Quaternion::new(cosine, axis * sine)
+        };
+        let (s, c) = Real::sin_cos(0.7);
+        let place = Place { sine: Pair::new(s), cosine: Pair::new(c), altitude: Pair::default() };
+        for (latitude, longitude) in [(1e-4, 0.0), (0.0, 2e-4), (1e-4, 2e-4), (-3e-4, 1e-4)] {
+            let exact = about(Vector::new(c, 0.0, -s), longitude)
+                * about(Vector::new(0.0, -1.0, 0.0), latitude);
+            let turn = place.frame_turn(exact, Pair::new(latitude), longitude);
+            let off = turn.v.zip(exact.v, |a, b| a.hi - b).norm();
+            // The product of the half angles stands for that of their sines.
+            let (a, b) = (0.5 * longitude, 0.5 * latitude);
+            let left = (a * b * (a * a + b * b)).abs() / 6.0 * 1.001 + 1e-19;
+            assert!(off <= left, "{latitude} {longitude}: {off:e}");
+        }
+    }
+}

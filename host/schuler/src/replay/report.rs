@@ -25,7 +25,7 @@ pub fn text(flight: &Flight, spans: &Spans, at_rest: bool) -> String {
                 format!("{} gaps, the longest", bridged.gaps)
             },
             (bridged.longest_s * 1e6).round() / 1e6,
-            counted(bridged.samples as u64, "sample that is", "samples that are"),
+            counted(bridged.samples, "sample that is", "samples that are"),
             bridged.time_s
         );
     }

@@ -15,6 +15,7 @@ use schuler::units::MICRO_G;
 use schuler_simulator::input::{InputError, Range};
 use schuler_simulator::output::heard::{Heard, overheard};
 use schuler_simulator::rest::align as rest;
+use schuler_simulator::rest::align::Heading;
 use schuler_simulator::rest::fine::{Refined, Stretch};
 use schuler_simulator::scene::limits;
 use schuler_simulator::units::{DEGREE, DEGREE_PER_HOUR};
@@ -77,7 +78,8 @@ pub fn align(
             still.add(&sample, interval_s);
             stretch.add(&sample);
         }
-        let heading = heading.map(|heading| heading * DEGREE);
+        let stated = |heading| Heading::Known(heading * DEGREE);
+        let heading = heading.map_or(Heading::FoundOrStated, stated);
         let (kind, name) = (Kind::Increments, "increments");
         let fine = (!coarse).then_some(&stretch);
         overheard(|| {

@@ -172,7 +172,7 @@ fn what_cannot_be_aligned_says_why() {
             assert!(said.contains(word), "{arguments:?} does not say {word}: {said}");
         }
     };
-    says(&["align"], 2, &["<SCENE>", "required"]);
+    says(&["align"], 2, &["nothing to align", "--imu FILE", "a scene"]);
     says(&["align", "polar"], 1, &["no heading within 6° of a pole", "below 84°"]);
     says(&["align", "align-still", "--from", "3"], 2, &["--from", "is of a recording"]);
     says(

@@ -31,15 +31,8 @@ pub fn sections(file: &str, text: &str) -> Result<String, InputError> {
     let mut any = false;
     for (triad, table) in TRIADS.iter().enumerate() {
         let known: Vec<_> = names(triad);
-        let of_the_file = [RATE, MODEL].into_iter();
-        if let Some(value) = root.get(table)
-            && let Some(key) = of_the_file.clone().find(|key| value.has(key))
-        {
-            let what = format!("is of the whole file, not of [{table}]");
-            let accepted = format!("{key} at the top, before the first table");
-            return Err(document.error(&format!("{table}.{key}"), Complaint::new(what, accepted)));
-        }
-        if let Some(section) = root.section(table, &known)? {
+        let section = root.section(table, &known).map_err(|error| misplaced(error, table))?;
+        if let Some(section) = section {
             out += &one(&section, triad, interval_s, walks)?;
             any = true;
         }
@@ -53,6 +46,15 @@ pub fn sections(file: &str, text: &str) -> Result<String, InputError> {
         return Err(InputError::file(file, complaint));
     }
     Ok(out)
+}
+
+/// An error about a sensor's table, in the words of what belongs to the whole file if it is about that.
+fn misplaced(error: InputError, table: &str) -> InputError {
+    let is_it = |key: &&str| error.key.as_ref().is_some_and(|it| *it == format!("{table}.{key}"));
+    let Some(key) = [RATE, MODEL].into_iter().find(is_it) else { return error };
+    let what = format!("is of the whole file, not of [{table}]");
+    let accepted = format!("{key} at the top, before the first table");
+    InputError { complaint: Complaint::new(what, accepted), ..error }
 }
 
 fn names(triad: usize) -> Vec<&'static str> {

@@ -253,11 +253,6 @@ impl<'a> Value<'a> {
         Ok(array.iter().enumerate().map(item).collect())
     }
 
-    /// Whether it is a table with a key.
-    pub fn has(&self, key: &str) -> bool {
-        self.value.as_table().is_some_and(|table| table.contains_key(key))
-    }
-
     /// Whether it is a table.
     pub fn is_table(&self) -> bool {
         self.value.is_table()

@@ -85,10 +85,8 @@ fn headline(flight: &Flight) -> String {
         cards.push(card(format!("{worst:+.2} σ"), what));
     }
     if let Some(time) = flight.time {
-        let what = match flight.aided {
-            Some(_) => "to navigate a sample, without the filter",
-            None => "to navigate a sample",
-        };
+        let filter = flight.aided.as_ref().map_or("", |_| ", without the filter");
+        let what = &format!("to navigate a sample{filter}");
         cards.push(card(format!("{:.0} ns", time.navigate_ns), what));
     }
     let [_, theory] = verdict::verdict(flight);

@@ -55,7 +55,7 @@ pub struct Line {
     pub samples: Vec<u64>,
     /// Samples in which a sensor was at its limit.
     pub saturated: u64,
-    /// Runs that failed: the number, the sample that was not taken, and why, by the code of [`Refusal`].
+    /// Runs that failed: the number, the sample that was not taken, and why, by the code of [`Refusal`](schuler::link::refusal::Refusal).
     pub failed: Vec<(u64, u64, u8)>,
 }
 

@@ -187,7 +187,7 @@ fn what_cannot_be_aided_says_why() {
     says("[gnss]\nrate_hz = 201\n", &run, &["gnss.rate_hz", "at most 200"]);
     says("[gnss]\n[filter]\nhorizon_s = 13\n", &run, &["s.toml", "horizon_s", "12.8"]);
     says("[gnss]\n", &["run", "s.toml", "--vertical", "held"], &["--vertical", "barometer"]);
-    says("[gnss]\n[link]\nloss = 0.1\n", &run, &["link", "takes every sample"]);
+    says("[gnss]\n[link]\nloss = 0.1\n", &run, &["link", "takes every one at its time"]);
     says(
         "[gnss]\n[alignment]\nduration_s = 5\n",
         &run,
